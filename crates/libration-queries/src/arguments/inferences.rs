@@ -31,7 +31,7 @@ impl ReadColumn {
     /// All columns with roles, in the order of the table; units are not known here.
     pub(super) fn all(table: &Table, wanted: &[Wanted], roles: &TableRoles) -> Vec<Self> {
         let column = |column, role: &str, wanted| {
-            let number = table.place(column).ok()? + 1;
+            let number = table.index_of(column).ok()? + 1;
             Some(Self {
                 number,
                 role: role.to_owned(),

@@ -154,7 +154,8 @@ impl OscillatorOptions {
             }
             Err(_) => (self.typed(&given, letters)?, None, "an equation of motion".to_owned()),
         };
-        let about = self.about.as_deref().map(|text| place(text, &equation, &given)).transpose()?;
+        let about =
+            self.about.as_deref().map(|text| value_of_variable(text, &equation, &given)).transpose()?;
         let open = equation.parameters();
         let mut values = values_used(named.ok(), &given);
         values.retain(|(name, _)| !open.contains(name));
@@ -188,7 +189,8 @@ impl OscillatorOptions {
             .collect();
         let equation =
             equation.with(&borrowed(&defaults)).map_err(|error| QueryError::usage(option("set"), error))?;
-        let about = self.about.as_deref().map(|text| place(text, &equation, &given)).transpose()?;
+        let about =
+            self.about.as_deref().map(|text| value_of_variable(text, &equation, &given)).transpose()?;
         let absent = |(name, value): &(String, Expression)| {
             given.iter().any(|(given_name, _)| given_name == name) || *value != Expression::from(0)
         };
@@ -236,7 +238,11 @@ impl Asked {
 }
 
 /// A value of the variable: a formula of numbers and parameters, or an angle if the variable is one.
-fn place(text: &str, equation: &Equation, given: &[(String, Expression)]) -> Result<Expression, QueryError> {
+fn value_of_variable(
+    text: &str,
+    equation: &Equation,
+    given: &[(String, Expression)],
+) -> Result<Expression, QueryError> {
     let refusal = |reason: String| QueryError::usage(option("about"), reason);
     let variable = equation.variables().first().map_or("", String::as_str);
     let with_value = |formula: Expression, (name, value): &(String, Expression)| {

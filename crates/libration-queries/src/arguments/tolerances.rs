@@ -10,7 +10,7 @@ use std::fmt;
 pub(crate) struct Tolerances {
     /// Tolerance of the coordinates that are not named.
     pub(crate) usual: f64,
-    pub(crate) own: Vec<(String, f64)>,
+    pub(crate) separate: Vec<(String, f64)>,
 }
 
 /// Reads `1e-12`, `phi=1e-6`, or both.
@@ -25,7 +25,7 @@ pub(crate) fn tolerances(text: &str) -> Result<Tolerances, String> {
         }
     }
     tolerances_of.sort_by(|(a, _), (b, _): &(String, f64)| a.cmp(b));
-    Ok(Tolerances { usual: usual.unwrap_or(Tolerances::USUAL), own: tolerances_of })
+    Ok(Tolerances { usual: usual.unwrap_or(Tolerances::USUAL), separate: tolerances_of })
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {
@@ -45,7 +45,7 @@ impl Tolerances {
     /// The system with the separate tolerances of coordinates.
     pub(crate) fn put_on(&self, system: System) -> Result<System, QueryError> {
         let tolerances: Vec<(&str, f64)> =
-            self.own.iter().map(|(name, tolerance)| (name.as_str(), *tolerance)).collect();
+            self.separate.iter().map(|(name, tolerance)| (name.as_str(), *tolerance)).collect();
         system.with_tolerances(&tolerances).map_err(|error| QueryError::usage(option("tolerance"), error))
     }
 }
@@ -54,6 +54,6 @@ impl Tolerances {
 impl fmt::Display for Tolerances {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(formatter, "{:e} per step", self.usual)?;
-        self.own.iter().try_for_each(|(name, tolerance)| write!(formatter, ", {tolerance:e} in {name}"))
+        self.separate.iter().try_for_each(|(name, tolerance)| write!(formatter, ", {tolerance:e} in {name}"))
     }
 }

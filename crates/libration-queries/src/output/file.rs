@@ -37,7 +37,7 @@ enum Target {
 struct Unfinished {
     file: fs::File,
     beside: PathBuf,
-    place: PathBuf,
+    target: PathBuf,
 }
 
 impl NewFile {
@@ -64,7 +64,7 @@ impl NewFile {
     /// The path of the complete file, after all links, and the temporary one; `None` for streams.
     pub(crate) fn places(&self) -> Option<[PathBuf; 2]> {
         match &self.target {
-            Target::Disk(_, it) => Some([it.place.clone(), it.beside.clone()]),
+            Target::Disk(_, it) => Some([it.target.clone(), it.beside.clone()]),
             Target::Stream(_) | Target::Kept(_) => None,
         }
     }
@@ -116,13 +116,13 @@ impl Unfinished {
         let file = file.map_err(|error| cannot_write(&path, error))?;
         // Where files cannot be locked nobody takes one for left.
         let _ = file.try_lock();
-        Ok(Self { file, beside, place: path })
+        Ok(Self { file, beside, target: path })
     }
 
     fn put_in_place(self) -> io::Result<()> {
         self.file.sync_all()?;
-        fs::rename(&self.beside, &self.place)?;
-        leftover::remove(&self.place);
+        fs::rename(&self.beside, &self.target)?;
+        leftover::remove(&self.target);
         Ok(())
     }
 }

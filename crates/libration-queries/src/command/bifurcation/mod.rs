@@ -82,7 +82,7 @@ enum SweepOrder {
 pub(crate) struct Diagram<'a> {
     pub(crate) model: &'a Model,
     pub(crate) options: &'a SectionOptions,
-    pub(crate) place: String,
+    pub(crate) section: String,
     pub(crate) points: Points,
     pub(crate) angles: Vec<bool>,
     pub(crate) parameter: &'a ParameterRange,
@@ -97,7 +97,7 @@ impl Bifurcation {
         let diagram = Diagram {
             model: &model,
             options: &self.section,
-            place: self.section.description(&section, model.equation()),
+            section: self.section.description(&section, model.equation()),
             points: self.section.points_of_attractor(POINTS),
             angles: angles(model.equation()),
             parameter: &self.over,

@@ -105,14 +105,14 @@ impl Modes {
             NonlinearModeError::AtRest(_) => QueryError::usage(option("coordinate"), error),
             _ => QueryError::no_result(option("follow"), error),
         })?;
-        let followed = FollowedMode { model, mode, coordinate, found: branch };
+        let followed = FollowedMode { model, mode, coordinate, branch };
         let drawn = match &self.figure {
             Some(path) => {
                 let picture = figure::nonlinear_modes::backbone(
                     &followed.model,
                     followed.mode,
                     followed.coordinate,
-                    &followed.found,
+                    &followed.branch,
                 );
                 vec![figure::file::write(path, &picture, &self.layout)?]
             }

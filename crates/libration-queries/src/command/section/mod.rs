@@ -64,7 +64,7 @@ pub(crate) struct PoincareQuestion {
 pub(crate) struct SectionResult<'a> {
     pub(crate) model: &'a Model,
     pub(crate) options: &'a SectionOptions,
-    pub(crate) place: String,
+    pub(crate) section: String,
     pub(crate) points: Points,
     pub(crate) angles: Vec<bool>,
     pub(crate) starts: Vec<Vec<f64>>,
@@ -81,7 +81,7 @@ impl PoincareQuestion {
         let answer = SectionResult {
             model: &model,
             options: &self.section,
-            place: self.section.description(&section, model.equation()),
+            section: self.section.description(&section, model.equation()),
             points,
             angles: angles(model.equation()),
             starts,

@@ -238,7 +238,7 @@ impl Simulate {
             state: model.state_names(),
             initial,
             tolerance: self.tolerance.usual,
-            own_tolerances: self.tolerance.own.clone(),
+            own_tolerances: self.tolerance.separate.clone(),
             events: watched.names(),
             errors: self.reason_for_no_errors().is_none(),
             columns: self

@@ -37,7 +37,7 @@ pub(crate) fn csv(plan: &Plan, chunk: usize, outcomes: &[PointOutcome]) -> io::R
     let mut text = header(plan)?;
     let columns = plan.columns().len();
     for (point, outcome) in plan.grid.points_of(chunk).zip(outcomes) {
-        let indices = plan.grid.place(point);
+        let indices = plan.grid.indices_of(point);
         let mut cells: Vec<String> =
             plan.axes.iter().zip(indices).map(|(axis, index)| axis.shown(index)).collect();
         match outcome {

@@ -60,7 +60,7 @@ impl Grid {
     }
 
     /// The index of a point on each axis.
-    pub fn place(&self, point: usize) -> Vec<usize> {
+    pub fn indices_of(&self, point: usize) -> Vec<usize> {
         place_in(&self.shape, point)
     }
 

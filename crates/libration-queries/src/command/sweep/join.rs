@@ -128,7 +128,7 @@ fn each_chunk(
 
 fn record(plan: &Plan, point: usize, row: &str) -> Record {
     let number = |text: &str| text.parse::<f64>().map_or(serde_json::Value::Null, json::number);
-    let indices = plan.grid.place(point);
+    let indices = plan.grid.indices_of(point);
     let at = plan.axes.iter().zip(indices).map(|(axis, index)| {
         let value = match &axis.numbers {
             Some(numbers) => json::number(numbers[index]),

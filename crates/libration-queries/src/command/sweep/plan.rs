@@ -137,7 +137,7 @@ impl Plan {
 
     /// The words of the question at a point.
     pub(crate) fn words(&self, point: usize) -> Vec<String> {
-        self.template.at(&self.axes, &self.grid.place(point))
+        self.template.at(&self.axes, &self.grid.indices_of(point))
     }
 }
 
@@ -166,7 +166,7 @@ fn read_plan(written: &Value) -> Option<Plan> {
 fn first_answer(template: &Template, axes: &[Axis], grid: &Grid) -> Result<Value, QueryError> {
     let mut first = None;
     for point in grid.scattered() {
-        match point::answer(&template.at(axes, &grid.place(point))) {
+        match point::answer(&template.at(axes, &grid.indices_of(point))) {
             Ok(answer) => return Ok(answer),
             Err(failure) if failure.is_cancelled() => return Err(failure),
             Err(failure) => drop(first.get_or_insert(failure)),

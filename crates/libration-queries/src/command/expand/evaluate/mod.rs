@@ -104,18 +104,18 @@ impl<'a> Numbers<'a> {
     }
 
     /// The exact value, if there is one and it was computed.
-    fn known(&self) -> Option<&ExactValue> {
+    fn exact_value(&self) -> Option<&ExactValue> {
         self.exact.as_ref()?.as_ref().ok()
     }
 
     /// The difference between a value and the exact one; `None` if there is no exact value.
     fn error(&self, value: f64) -> Option<f64> {
-        self.known().map(|exact| value - exact.value)
+        self.exact_value().map(|exact| value - exact.value)
     }
 
     /// A note that the exact motion does not belong to the family of the series.
     fn other_family(&self) -> Option<String> {
-        let equilibrium = self.known()?.encloses?;
+        let equilibrium = self.exact_value()?.encloses?;
         Some(format!(
             "the motion also encloses the equilibrium at {}, so that the series does not apply",
             short(equilibrium, 6)

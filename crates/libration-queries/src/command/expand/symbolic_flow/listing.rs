@@ -136,10 +136,10 @@ fn write_state(out: &mut dyn Write, judged: &JudgedState, is_driven: bool) -> io
         Some(false) => "unstable",
         None => "stability undetermined",
     };
-    writeln!(out, "{}, {stability}", place(&judged.state, judged.errors, is_driven))
+    writeln!(out, "{}, {stability}", state_text(&judged.state, judged.errors, is_driven))
 }
 
-fn place(state: &SteadySolution, errors: Option<[f64; 2]>, is_driven: bool) -> String {
+fn state_text(state: &SteadySolution, errors: Option<[f64; 2]>, is_driven: bool) -> String {
     const FEW: usize = 2;
     let written = |value: f64, error: Option<f64>| match error {
         Some(error) => to_its_error(value, error, DIGITS),
@@ -168,6 +168,6 @@ fn write_notes(out: &mut dyn Write, states: &[JudgedState]) -> io::Result<()> {
 }
 
 fn write_left_out(out: &mut dyn Write, left: &StateLeftOut, answer: &SymbolicFlowResult) -> io::Result<()> {
-    let position = place(&left.state, None, answer.flow.resonance.is_some());
+    let position = state_text(&left.state, None, answer.flow.resonance.is_some());
     write_text(out, "", &format!("left out: {position} (order {}): {}", left.order, why_left_out(left)))
 }

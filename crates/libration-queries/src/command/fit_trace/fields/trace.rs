@@ -11,11 +11,11 @@ use libration_lab::fit::cycles::Cycles;
 /// A trace of a result.
 pub(in super::super) struct TraceOf<'a> {
     answer: &'a FitTraceResult<'a>,
-    place: usize,
+    index: usize,
 }
 
 pub(in super::super) fn traces<'a>(answer: &'a FitTraceResult<'a>) -> Vec<TraceOf<'a>> {
-    (0..answer.measured.traces.len()).map(|index| TraceOf { answer, place: index }).collect()
+    (0..answer.measured.traces.len()).map(|index| TraceOf { answer, index }).collect()
 }
 
 /// A row of a trace: time, observed value, fitted value, difference.
@@ -61,7 +61,7 @@ pub(in super::super) fn of_trace<'a>() -> Fields<TraceOf<'a>> {
             "outlier_rows[]",
             "1",
             "rows beyond five robust standard deviations, numbered from 0",
-            |trace| json::list(trace.answer.swings.fit.traces[trace.place].outliers.clone()),
+            |trace| json::list(trace.answer.swings.fit.traces[trace.index].outliers.clone()),
         ),
         Of::unnamed().numeral("cycles", |trace| {
             trace.cycles().map_or("–".to_owned(), |cycles| cycles.cycles.len().to_string())
@@ -91,19 +91,19 @@ pub(in super::super) fn of_trace<'a>() -> Fields<TraceOf<'a>> {
 
 impl TraceOf<'_> {
     fn name(&self) -> &str {
-        self.answer.measured.traces[self.place].name()
+        self.answer.measured.traces[self.index].name()
     }
 
     fn times(&self) -> &[f64] {
-        self.answer.measured.traces[self.place].times()
+        self.answer.measured.traces[self.index].times()
     }
 
     fn rms(&self) -> f64 {
-        self.answer.swings.fit.traces[self.place].rms()
+        self.answer.swings.fit.traces[self.index].rms()
     }
 
     fn cycles(&self) -> Result<&Cycles, String> {
-        self.answer.swings.cycles[self.place].as_ref().map_err(ToString::to_string)
+        self.answer.swings.cycles[self.index].as_ref().map_err(ToString::to_string)
     }
 
     fn beta(&self) -> Result<&Beta, String> {

@@ -14,7 +14,7 @@ impl SpectrumResult {
         match form {
             Form::Json => json::document(out, fields::of_answer().record(self))?,
             Form::Csv => {
-                let lines: Vec<_> = self.found.iter().flat_map(fields::all_lines).collect();
+                let lines: Vec<_> = self.spectra.iter().flat_map(fields::all_lines).collect();
                 fields::of_line().write_csv(out, &lines)?;
             }
             Form::Table => self.write_sheets(out)?,
@@ -23,7 +23,7 @@ impl SpectrumResult {
     }
 
     fn write_sheets(&self, out: &mut dyn Write) -> io::Result<()> {
-        for (number, measured) in self.found.iter().enumerate() {
+        for (number, measured) in self.spectra.iter().enumerate() {
             if number > 0 {
                 writeln!(out)?;
             }

@@ -109,7 +109,7 @@ impl<'m, 'a> Account<'m, 'a> {
     fn new(listed: &'m Listed<'a>, drawn: bool) -> Self {
         let setting = listed.setting;
         let motion = &listed.motion;
-        let state = motion.own(&motion.beginning());
+        let state = motion.motion_state(&motion.beginning());
         let balance = setting.energy.as_ref().ok().map(|energy| energy.balance(&state));
         let last = motion.times.last();
         let trace = drawn.then(|| Trace::new(&setting.model, setting.observables.as_ref(), last));
@@ -119,7 +119,7 @@ impl<'m, 'a> Account<'m, 'a> {
     fn follow(&mut self, step: &Step<'_>, progress: &MotionsProgress) -> ControlFlow<()> {
         if let Some(balance) = &mut self.balance {
             let end = Moment { time: step.end(), state: step.state_at(step.end()) };
-            balance.record(&self.motion.own(&end));
+            balance.record(&self.motion.motion_state(&end));
         }
         if let Some(trace) = &mut self.trace {
             trace.follow(step, step.end());

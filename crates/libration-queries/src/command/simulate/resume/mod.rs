@@ -37,7 +37,7 @@ const LARGEST: usize = 1 << 30;
 pub(super) struct Earlier {
     question: RunParameters,
     /// The part of it that is kept; `None` if the earlier run did not complete its first step.
-    known: Option<(Mark, Rows)>,
+    kept: Option<(Mark, Rows)>,
     /// The unfinished file of a killed run, if the result is continued from that.
     _leftover: Option<Leftover>,
 }
@@ -132,7 +132,7 @@ impl Earlier {
                 return Err(ResumeError::Changed { bytes: mark.bytes });
             }
         }
-        Ok(Self { question: state.question, known: mark_and_rows, _leftover: None })
+        Ok(Self { question: state.question, kept: mark_and_rows, _leftover: None })
     }
 
     fn of_json(path: &Path, question: &RunParameters, times: &Times) -> Result<Self, Unusable> {
@@ -150,7 +150,7 @@ impl Earlier {
                 Some((mark, rows))
             }
         };
-        Ok(Self { question: state.question, known: mark_and_rows, _leftover: None })
+        Ok(Self { question: state.question, kept: mark_and_rows, _leftover: None })
     }
 
     /// The initial state, unless a different one is requested.
@@ -167,7 +167,7 @@ impl Earlier {
 
     /// The mark at which the continuation begins.
     pub(super) fn mark(&self) -> Option<&Mark> {
-        self.known.as_ref().map(|(mark, _)| mark)
+        self.kept.as_ref().map(|(mark, _)| mark)
     }
 
     /// Passes on the kept rows one after the other.
@@ -175,7 +175,7 @@ impl Earlier {
         &self,
         take: impl FnMut(&Happening) -> Result<(), QueryError>,
     ) -> Result<(), QueryError> {
-        self.known.as_ref().map_or(Ok(()), |(_, rows)| rows.each(take).map(|_| ()))
+        self.kept.as_ref().map_or(Ok(()), |(_, rows)| rows.each(take).map(|_| ()))
     }
 }
 
