@@ -185,8 +185,8 @@ pub struct Threshold {
 /// # extern crate libration_branches as libration;
 /// use libration::melnikov::thresholds;
 /// use libration::progress::Quiet;
-/// let found = thresholds(&"x'' + 0.1 x' + sin(x) = A cos(t)".parse()?, "A", [0.0, 1.0], &Quiet)?;
-/// assert!((found[0].value - 0.319_478_526_382_585_2).abs() < 1e-15);
+/// let values = thresholds(&"x'' + 0.1 x' + sin(x) = A cos(t)".parse()?, "A", [0.0, 1.0], &Quiet)?;
+/// assert!((values[0].value - 0.319_478_526_382_585_2).abs() < 1e-15);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn thresholds(

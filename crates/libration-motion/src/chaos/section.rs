@@ -129,9 +129,9 @@ pub enum SectionError {
 /// let start = Moment { time: 0.0, state: vec![1.0, 0.0] };
 /// let stroboscope = Section::Stroboscope { period: None, phase: 0.0 };
 /// let points = Points { skipped: 200, recorded: 2 };
-/// let found = compute_section(&duffing, &start, &stroboscope, points, &Effort::to_tolerance(1e-12), &Quiet)?;
+/// let section = compute_section(&duffing, &start, &stroboscope, points, &Effort::to_tolerance(1e-12), &Quiet)?;
 /// // The motion has the period of its drive.
-/// assert!((found.points[0].state[0] - found.points[1].state[0]).abs() < 1e-9);
+/// assert!((section.points[0].state[0] - section.points[1].state[0]).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn compute_section(

@@ -13,8 +13,8 @@ use libration_numbers::expression::{Equation, Expression, Function, Symbol};
 /// ```
 /// # extern crate libration_motion as libration;
 /// use libration::oscillator::PurePower;
-/// let found = PurePower::of(&"x'' + k*x*abs(x) = 0".parse()?, None).ok_or("no power")?;
-/// assert_eq!((found.exponent().to_string(), found.strength().to_string()), ("2".into(), "k".into()));
+/// let law = PurePower::of(&"x'' + k*x*abs(x) = 0".parse()?, None).ok_or("no power")?;
+/// assert_eq!((law.exponent().to_string(), law.strength().to_string()), ("2".into(), "k".into()));
 /// assert_eq!(PurePower::of(&"x'' + x^3 + x = 0".parse()?, None), None);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
