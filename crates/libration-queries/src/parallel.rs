@@ -37,16 +37,16 @@ fn locked<R>(done: &Mutex<R>) -> MutexGuard<'_, R> {
     done.lock().expect("no piece of work panics")
 }
 
-/// Passes on the results for `places` indices in their order, while the next ones are computed on all cores, until passing one on fails or the run
+/// Passes on the results for `count` indices in their order, while the next ones are computed on all cores, until passing one on fails or the run
 /// is cancelled. Cores are at most a few indices ahead.
 pub fn in_order<R: Send, E>(
-    places: usize,
+    count: usize,
     work: impl Fn(usize) -> R + Sync,
     mut hand_on: impl FnMut(usize, R) -> Result<(), E>,
 ) -> Result<(), E> {
     let (made, mut failure) = (Mutex::new(Vec::new()), None);
     make_in_order(
-        places,
+        count,
         &|index| {
             let result = work(index);
             locked(&made).push((index, result));
@@ -63,10 +63,10 @@ pub fn in_order<R: Send, E>(
     failure.map_or(Ok(()), Err)
 }
 
-/// Computes `places` indices on all cores and reports each in its order, until `hand_on` returns `false` or the run is cancelled.
-fn make_in_order(places: usize, make: &(dyn Fn(usize) + Sync), hand_on: &mut dyn FnMut(usize) -> bool) {
+/// Computes `count` indices on all cores and reports each in its order, until `hand_on` returns `false` or the run is cancelled.
+fn make_in_order(count: usize, make: &(dyn Fn(usize) + Sync), hand_on: &mut dyn FnMut(usize) -> bool) {
     if !HAS_THREADS {
-        for index in 0..places {
+        for index in 0..count {
             if interrupt::is_cancelled() {
                 break;
             }
@@ -96,9 +96,9 @@ fn make_in_order(places: usize, make: &(dyn Fn(usize) + Sync), hand_on: &mut dyn
                 }
             });
         }
-        let mut ordered = 0..places;
+        let mut ordered = 0..count;
         let mut ahead = BTreeSet::new();
-        for index in 0..places {
+        for index in 0..count {
             for order in ordered.by_ref().take(if index == 0 { AHEAD * cores } else { 1 }) {
                 orders.send(order).expect("the cores wait for orders");
             }

@@ -72,8 +72,8 @@ impl<'a> Grid<'a> {
     /// The middles of neighbouring points with different stability between which no boundary passes.
     fn unresolved(&self, edges: &[SpecialCurve]) -> Vec<[f64; 2]> {
         let [columns, rows] = [0, 1].map(|which| self.values[which].len());
-        let places = (0..rows).flat_map(|row| (0..columns).map(move |column| [column, row]));
-        let pairs = places.flat_map(|[column, row]| {
+        let points = (0..rows).flat_map(|row| (0..columns).map(move |column| [column, row]));
+        let pairs = points.flat_map(|[column, row]| {
             [[[column, row], [column + 1, row]], [[column, row], [column, row + 1]]]
         });
         let is_stable = |[column, row]: [usize; 2]| self.tests.get(row)?.get(column)?.as_ref().map(|it| it.1);

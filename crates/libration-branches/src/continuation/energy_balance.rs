@@ -54,12 +54,14 @@ impl EnergyBalance {
         // Rounding errors of formulas of some hundred operations.
         let same = |a: f64, b: f64| (a - b).abs() <= 1e-12 * (a.abs() + b.abs()).max(1e-300);
         let is_odd_at = |displacement: f64| same(at(displacement), -at(-displacement));
-        let places = [0.31, 0.83, 1.7, 2.9];
+        let displacements = [0.31, 0.83, 1.7, 2.9];
         Some(Self {
             is_odd: [1.0, scale]
                 .iter()
-                .all(|scale| places.iter().all(|displacement| is_odd_at(scale * displacement))),
-            is_periodic: places.iter().all(|displacement| same(at(*displacement), at(displacement + TAU))),
+                .all(|scale| displacements.iter().all(|displacement| is_odd_at(scale * displacement))),
+            is_periodic: displacements
+                .iter()
+                .all(|displacement| same(at(*displacement), at(displacement + TAU))),
             scale,
             equation,
             free,
@@ -69,9 +71,9 @@ impl EnergyBalance {
 
     /// The frequencies of free oscillations of all sizes; on one side only if left and right are symmetric.
     pub(super) fn frequencies(&self) -> Frequencies {
-        let places = self.places();
+        let amplitudes = self.places();
         let of = |sign: f64| {
-            places
+            amplitudes
                 .iter()
                 .map(|displacement| (sign * displacement, self.frequency(sign * displacement)))
                 .collect()
@@ -88,12 +90,12 @@ impl EnergyBalance {
         /// Relative tolerance of the release point, sufficient for an initial guess.
         const CLOSE: f64 = 1e-4;
         let pairs = frequencies.iter().flat_map(|side| side.windows(2));
-        let places = pairs.filter_map(|pair| {
+        let amplitudes = pairs.filter_map(|pair| {
             let ends = [pair[0], pair[1]]
                 .map(|(amplitude, frequency_there)| (amplitude, frequency_there - frequency));
             zero_between(ends, Tolerance::relative(CLOSE), |amplitude| self.frequency(amplitude) - frequency)
         });
-        places.filter_map(|amplitude| Orbit::released(&self.free, amplitude, &Quiet).ok()).collect()
+        amplitudes.filter_map(|amplitude| Orbit::released(&self.free, amplitude, &Quiet).ok()).collect()
     }
 
     /// Release points from three decades below the scale, or 1, to three decades above, or from the bottom to a hundredth of a radian below the top.

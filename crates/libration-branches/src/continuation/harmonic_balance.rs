@@ -239,11 +239,11 @@ impl<'f> HarmonicBalance<'f> {
         for number in 0..self.samples.len() {
             let rates = self.rates(motion, number, size)?;
             let (samples, layout) = (&self.samples[number], &self.family.layout);
-            let [places, velocities, _] = &samples.functions;
+            let [displacements, velocities, _] = &samples.functions;
             for coordinate in 0..layout.coordinates() {
                 let order = if layout.velocity(coordinate).is_some() { 2 } else { 1 };
                 let highest = samples.value(&motion[coordinate * each..], order);
-                let project = |values: Values, row: usize| inner(&values, &places[row]);
+                let project = |values: Values, row: usize| inner(&values, &displacements[row]);
                 let residual = std::array::from_fn(|k| highest[k] - rates.values[coordinate][k]);
                 let rows = &mut missed[coordinate * each..][..each];
                 rows.iter_mut().enumerate().for_each(|(row, it)| *it += project(residual, row));
@@ -256,7 +256,7 @@ impl<'f> HarmonicBalance<'f> {
                         let velocity = by_velocity.map_or(0.0, |slopes| slopes[k] * velocities[function][k]);
                         let highest =
                             if other == coordinate { samples.functions[order][function][k] } else { 0.0 };
-                        highest - by_place[k] * places[function][k] - velocity
+                        highest - by_place[k] * displacements[function][k] - velocity
                     });
                     rows.iter_mut().enumerate().for_each(|(row, it)| it[column] += project(slope, row));
                 }

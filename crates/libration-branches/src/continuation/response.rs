@@ -134,8 +134,8 @@ impl Search<'_> {
         let mut followed = FollowedBranches::default();
         let mut missing: Vec<(f64, BranchError)> = vec![];
         let [low, high] = self.range;
-        let places = self.options.at.map_or(vec![(low, 1.0), (high, -1.0)], |at| vec![(at, 1.0)]);
-        for begin_at in &places {
+        let beginnings = self.options.at.map_or(vec![(low, 1.0), (high, -1.0)], |at| vec![(at, 1.0)]);
+        for begin_at in &beginnings {
             match self.starts(begin_at.0) {
                 Ok(starts) => self.begin(&mut followed, &mut missing, *begin_at, starts),
                 Err(BranchError::Interrupted(interrupted)) if followed.branches.is_empty() => {
@@ -152,7 +152,7 @@ impl Search<'_> {
         }
         self.follow_all(&mut followed);
         // A further motion may lie on a secondary branch.
-        for begin_at in places {
+        for begin_at in beginnings {
             let further = self.further_starts(begin_at.0);
             if !further.is_empty() {
                 missing.retain(|(value, _)| value.to_bits() != begin_at.0.to_bits());

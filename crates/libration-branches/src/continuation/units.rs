@@ -45,8 +45,8 @@ impl Family<'_> {
 
     /// The sizes of the components of a state for motions of the scale of the family with a period.
     pub(super) fn sizes_in(&self, period: f64) -> Vec<f64> {
-        let places = (0..self.layout.coordinates()).map(|_| self.scale);
-        self.layout.arrange(places, |_| self.scale * TAU / period.abs())
+        let sizes = (0..self.layout.coordinates()).map(|_| self.scale);
+        self.layout.arrange(sizes, |_| self.scale * TAU / period.abs())
     }
 
     /// The sizes of the components of a state at a value of the parameter: an amplitude and its velocity, as large as its largest component, and at
@@ -67,8 +67,8 @@ impl Family<'_> {
             let [low, high] = point.ranges[coordinate];
             (0.5 * (high - low)).max(HARDLY * largest)
         };
-        let places = (0..self.layout.coordinates()).map(swing);
-        let sizes = self.layout.arrange(places, |coordinate| swing(coordinate) * TAU / point.period);
+        let of_coordinates = (0..self.layout.coordinates()).map(swing);
+        let sizes = self.layout.arrange(of_coordinates, |coordinate| swing(coordinate) * TAU / point.period);
         let period = (!self.is_driven()).then_some(point.period);
         sizes.into_iter().chain(period).chain([width]).collect()
     }

@@ -105,8 +105,8 @@ impl Melnikov {
         if let [only] = &self.harmonics[..] {
             return [-only.abs(), only.abs()];
         }
-        let places = self.zeros_of(&|phase| self.wave(phase, 1));
-        let values = places.into_iter().map(|phase| self.wave(phase, 0));
+        let phases = self.zeros_of(&|phase| self.wave(phase, 1));
+        let values = phases.into_iter().map(|phase| self.wave(phase, 0));
         values.fold([0.0, 0.0], |[least, most], value| [least.min(value), most.max(value)])
     }
 
@@ -141,14 +141,14 @@ impl Melnikov {
     /// The phases Ωt0 within 0 … 2π at which M vanishes, each with the derivative of M with respect to the phase.
     #[must_use]
     pub fn zeros(&self) -> Vec<(f64, f64)> {
-        let places = self.zeros_of(&|phase| self.at_phase(phase));
-        places.into_iter().map(|phase| (phase, self.wave(phase, 1))).collect()
+        let phases = self.zeros_of(&|phase| self.at_phase(phase));
+        phases.into_iter().map(|phase| (phase, self.wave(phase, 1))).collect()
     }
 
     fn zeros_of(&self, f: &dyn Fn(f64) -> f64) -> Vec<f64> {
-        let places = PLACES * self.harmonics.len();
-        let time = |j: usize| TAU * count(j) / count(places);
-        let ends: Vec<(f64, f64)> = (0..=places).map(|j| (time(j), f(time(j)))).collect();
+        let intervals = PLACES * self.harmonics.len();
+        let time = |j: usize| TAU * count(j) / count(intervals);
+        let ends: Vec<(f64, f64)> = (0..=intervals).map(|j| (time(j), f(time(j)))).collect();
         // A zero at an end belongs to the interval that begins there.
         let zero = |pair: &[(f64, f64)]| {
             let zero = (pair[1].1 != 0.0).then(|| zero_between([pair[0], pair[1]], Tolerance::LAST_BIT, f));

@@ -156,8 +156,8 @@ impl Approach<'_> {
     fn first_time(&self, threshold: f64) -> Result<f64, TangencyError> {
         const PLACES: usize = 64;
         let melnikov = self.melnikov(threshold)?;
-        let places = PLACES * melnikov.harmonics.len().max(1);
-        let phases = (0..places).map(|j| TAU * count(j) / count(places));
+        let intervals = PLACES * melnikov.harmonics.len().max(1);
+        let phases = (0..intervals).map(|j| TAU * count(j) / count(intervals));
         let nearest =
             phases.min_by(|a, b| melnikov.at_phase(*a).abs().total_cmp(&melnikov.at_phase(*b).abs()));
         Ok(nearest.unwrap_or(0.0) / melnikov.frequency)

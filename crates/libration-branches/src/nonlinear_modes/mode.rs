@@ -197,9 +197,9 @@ impl<'a> ModeFamily<'a> {
     fn linear(&self, amplitude: f64) -> OrbitGuess {
         let scale = Complex::from(amplitude) / self.mode.shape[self.coordinate];
         let parts: Vec<Complex> = self.mode.shape.iter().map(|part| *part * scale).collect();
-        let places = self.rest.iter().zip(&parts).map(|(rest, part)| rest + part.re);
+        let displacements = self.rest.iter().zip(&parts).map(|(rest, part)| rest + part.re);
         let velocities = parts.iter().map(|part| -self.mode.frequency() * part.im);
-        OrbitGuess { state: places.chain(velocities).collect(), period: TAU / self.mode.frequency() }
+        OrbitGuess { state: displacements.chain(velocities).collect(), period: TAU / self.mode.frequency() }
     }
 
     /// The next orbit, extrapolated by the parabola or the line through the last ones.

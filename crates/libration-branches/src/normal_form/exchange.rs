@@ -88,8 +88,8 @@ impl NormalForm {
         let about = self.rough_period(mode, slowest, &seen)?;
         let interval = about / count(SAMPLES);
         let path = seen(interval, EXCHANGES * SAMPLES)?;
-        let places: Vec<Place> = path.iter().map(|amplitudes| self.place(mode, amplitudes)).collect();
-        let [frequency, error] = winding(&places, interval, &Scale::of(&places));
+        let points: Vec<Place> = path.iter().map(|amplitudes| self.place(mode, amplitudes)).collect();
+        let [frequency, error] = winding(&points, interval, &Scale::of(&points));
         let ends = |j: usize| {
             let sizes = path.iter().map(|amplitudes| amplitudes[j].abs());
             sizes.fold([f64::INFINITY, 0.0], |[least, most], it| [it.min(least), it.max(most)])
@@ -118,8 +118,8 @@ impl NormalForm {
         let mode = self.exchanging_mode().ok_or(ExchangeError::NoResonance)?;
         let interval = exchange.period / count(SAMPLES);
         let path = self.seen_path(equation, state, interval, EXCHANGES * SAMPLES, &Watch::new(progress))?;
-        let places: Vec<Place> = path.iter().map(|amplitudes| self.place(mode, amplitudes)).collect();
-        let [frequency, error] = winding(&places, interval, &Scale::of(&places));
+        let points: Vec<Place> = path.iter().map(|amplitudes| self.place(mode, amplitudes)).collect();
+        let [frequency, error] = winding(&points, interval, &Scale::of(&points));
         let period = TAU / frequency;
         Ok(MeasuredExchange { period, error: error / frequency * period })
     }
@@ -180,10 +180,10 @@ impl NormalForm {
         let mut is_steady = true;
         for periods in [LONGEST / 64, LONGEST / 16, LONGEST / 4, LONGEST] {
             let path = seen(interval, periods * PER_PERIOD)?;
-            let places: Vec<Place> = path.iter().map(|amplitudes| self.place(mode, amplitudes)).collect();
-            is_steady = Scale::of(&places).is_steady();
+            let points: Vec<Place> = path.iter().map(|amplitudes| self.place(mode, amplitudes)).collect();
+            is_steady = Scale::of(&points).is_steady();
             let falls = |pair: &(usize, &[Place])| pair.1[0][1] > 0.0 && pair.1[1][1] <= 0.0;
-            let maxima: Vec<usize> = places.windows(2).enumerate().filter(falls).map(|it| it.0).collect();
+            let maxima: Vec<usize> = points.windows(2).enumerate().filter(falls).map(|it| it.0).collect();
             if let (Some(first), Some(last), true) = (maxima.first(), maxima.last(), maxima.len() > 2)
                 && !is_steady
             {

@@ -209,9 +209,9 @@ impl<N: Ring + Clone> Basis<N> {
         let halved = |z: &ComplexOf<N>| numbers.over_integer(z, 2).ok_or(NormalFormObstacle::NoSeries);
         let column = |(shape, frequency): (&Vec<ComplexOf<N>>, &N::Element)| {
             let turned = Quadratic { plain: numbers.base.zero(), root: frequency.clone() };
-            let places = shape.iter().map(&halved).collect::<Result<Vec<_>, _>>()?;
-            let velocities: Vec<_> = places.iter().map(|z| numbers.multiply(z, &turned)).collect();
-            Ok([places, velocities].concat())
+            let displacements = shape.iter().map(&halved).collect::<Result<Vec<_>, _>>()?;
+            let velocities: Vec<_> = displacements.iter().map(|z| numbers.multiply(z, &turned)).collect();
+            Ok([displacements, velocities].concat())
         };
         let columns = linear.shapes.iter().zip(&linear.frequencies).map(column);
         let columns = columns.collect::<Result<Vec<_>, NormalFormObstacle>>()?;

@@ -262,12 +262,12 @@ impl<N: Ring> LindstedtExpansion<'_, N> {
         largest: f64,
     ) -> Option<Vec<N::Element>> {
         let numbers = self.ring.numbers();
-        let places = 0..matrix.len();
+        let indices = 0..matrix.len();
         let transposed: Vec<Vec<N::Element>> =
-            places.clone().map(|i| matrix.iter().map(|row| row[i].clone()).collect()).collect();
+            indices.clone().map(|i| matrix.iter().map(|row| row[i].clone()).collect()).collect();
         let [left, free] = [self.null_vectors(&transposed)?, self.null_vectors(matrix)?];
         // The bordered equations: the multiples of the left vectors that are left over vanish where the right side is orthogonal to them.
-        let bordered = places.clone().map(|i| {
+        let bordered = indices.clone().map(|i| {
             let of_left = left.iter().map(|vector| vector[i].clone());
             matrix[i].iter().cloned().chain(of_left).collect::<Vec<_>>()
         });

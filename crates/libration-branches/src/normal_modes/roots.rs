@@ -63,10 +63,10 @@ fn simple_roots(polynomial: Vec<Rational>, near: Vec<Complex>) -> Option<Vec<Roo
             None => left.push(near),
         }
     }
-    while let Some((quotient, pair, places)) = quadratic_factor(&rest, &left)? {
+    while let Some((quotient, pair, indices)) = quadratic_factor(&rest, &left)? {
         rest = quotient;
         exact.extend(pair.map(Root::Exact));
-        left = left.into_iter().enumerate().filter(|(i, _)| !places.contains(i)).map(|(_, z)| z).collect();
+        left = left.into_iter().enumerate().filter(|(i, _)| !indices.contains(i)).map(|(_, z)| z).collect();
     }
     exact.extend(left.into_iter().map(Root::Number));
     Some(exact)

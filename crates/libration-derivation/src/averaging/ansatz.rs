@@ -17,8 +17,8 @@ pub(super) fn step(question: &AveragingQuestion, flow: &Flow) -> DerivationStep 
     let (u, psi) = (|| question.u(), Name::new("ψ"));
     let (amplitude, c) = (|| question.amplitude(), || question.small());
     let rate = |name: &Name| Formula::from(name.clone().prime());
-    let unknown = |name: &dyn Fn(PowerPair) -> Name, places: &[PowerPair]| {
-        let terms = places.iter().map(|powers| power(question, *powers) * Formula::from(name(*powers)));
+    let unknown = |name: &dyn Fn(PowerPair) -> Name, pairs: &[PowerPair]| {
+        let terms = pairs.iter().map(|powers| power(question, *powers) * Formula::from(name(*powers)));
         terms.collect::<Vec<Formula>>()
     };
     let [motions, growths, frequencies] = places(question, flow);
@@ -85,8 +85,8 @@ fn counted(
 ) -> Prose {
     let count = |n: usize| number(i64::try_from(n).unwrap_or(i64::MAX));
     let zero =
-        |places: &[PowerPair], is_known: &dyn Fn(&PowerPair) -> bool, name: &dyn Fn(PowerPair) -> Name| {
-            let missing = places.iter().filter(|powers| !is_known(powers));
+        |pairs: &[PowerPair], is_known: &dyn Fn(&PowerPair) -> bool, name: &dyn Fn(PowerPair) -> Name| {
+            let missing = pairs.iter().filter(|powers| !is_known(powers));
             missing.map(|powers| Formula::from(name(*powers))).collect::<Vec<Formula>>()
         };
     let mut vanishing = zero(motions, &|it| flow.motion.contains_key(it), &|it| motion_name(question, it));

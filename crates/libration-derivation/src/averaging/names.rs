@@ -79,9 +79,9 @@ pub(super) fn power(question: &AveragingQuestion, pair: PowerPair) -> Formula {
 
 /// Σ coefficient·Aⁿcʲ, lower powers of the small parameter first.
 pub(super) fn law(question: &AveragingQuestion, coefficients: &BTreeMap<PowerPair, PiNumber>) -> Formula {
-    let mut places: Vec<&PowerPair> = coefficients.keys().filter(|pair| question.asks_for(**pair)).collect();
-    places.sort_by_key(|(n, j)| (*j, *n));
-    let terms = places.into_iter().flat_map(|pair| {
+    let mut pairs: Vec<&PowerPair> = coefficients.keys().filter(|pair| question.asks_for(**pair)).collect();
+    pairs.sort_by_key(|(n, j)| (*j, *n));
+    let terms = pairs.into_iter().flat_map(|pair| {
         let value = coefficients.get(pair).into_iter().flat_map(PiNumber::terms);
         value.map(|(pi, it)| term_with(it, pi, powers(question, *pair))).collect::<Vec<_>>()
     });

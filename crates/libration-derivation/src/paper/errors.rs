@@ -46,8 +46,8 @@ pub(super) fn better_on(a: &str, b: &str) -> Option<Vec<(f64, f64)>> {
 
 /// The amplitudes at which |error of a| is this many times |error of b|.
 pub(super) fn ratio_reached(a: &str, b: &str, factor: f64) -> Option<Vec<f64>> {
-    let places = TABLE.amplitudes_where_ratio_of_errors(index_of(a)?, index_of(b)?, factor);
-    Some(places.iter().map(Angle::radians).collect())
+    let amplitudes = TABLE.amplitudes_where_ratio_of_errors(index_of(a)?, index_of(b)?, factor);
+    Some(amplitudes.iter().map(Angle::radians).collect())
 }
 
 /// |error of a|/|error of b| at an amplitude in degrees.

@@ -312,6 +312,7 @@ fn outliers(rows: &[Vec<f64>], groups: &[RowReadings], step: f64) -> Vec<(usize,
         let t = deviation / (left * others.max(step * step / 12.0)).sqrt();
         student::probability_beyond(t, all.dof - 1) * count(tested) < BY_CHANCE
     };
-    let places = (0..rows.len()).flat_map(|row| (0..rows[row].len()).map(move |reading| (row, reading)));
-    places.filter(|&(row, reading)| is_outlier(row, reading)).collect()
+    let readings_of_rows =
+        (0..rows.len()).flat_map(|row| (0..rows[row].len()).map(move |reading| (row, reading)));
+    readings_of_rows.filter(|&(row, reading)| is_outlier(row, reading)).collect()
 }

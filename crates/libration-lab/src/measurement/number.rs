@@ -189,6 +189,6 @@ fn plain_number(text: &str) -> Option<f64> {
 pub(super) fn decimals(number: &str) -> u16 {
     let (digits, power) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
     let after = digits.rsplit_once(['.', ',']).map_or(0, |(_, fraction)| fraction.trim_end().len());
-    let places = i64::try_from(after).unwrap_or(0) - power.parse::<i64>().unwrap_or(0);
-    u16::try_from(places.clamp(0, 300)).unwrap_or(0)
+    let decimals = i64::try_from(after).unwrap_or(0) - power.parse::<i64>().unwrap_or(0);
+    u16::try_from(decimals.clamp(0, 300)).unwrap_or(0)
 }

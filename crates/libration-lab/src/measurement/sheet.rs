@@ -256,8 +256,8 @@ impl Sheet {
 
     fn index_of_name(&self, name: &str) -> Result<usize, MeasurementError> {
         let bears = |index: &usize| self.channels[*index].heading.is_named(name);
-        let mut places = (0..self.channels.len()).filter(bears);
-        match (places.next(), places.next()) {
+        let mut matches = (0..self.channels.len()).filter(bears);
+        match (matches.next(), matches.next()) {
             (Some(index), None) => Ok(index),
             (Some(_), Some(_)) => Err(MeasurementError::AmbiguousColumn(excerpt(name))),
             _ => Err(self.no_such_column(name)),

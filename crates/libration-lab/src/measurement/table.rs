@@ -192,12 +192,12 @@ impl Table {
     /// # Errors
     /// No such column, a name that several columns bear, a cell that is text, no complete row.
     pub fn select(&self, columns: &[Column]) -> Result<Selection, MeasurementError> {
-        let places: Vec<usize> =
+        let indices: Vec<usize> =
             columns.iter().map(|column| self.sheet.index_of(column)).collect::<Result<_, _>>()?;
         let mut selection =
-            Selection { columns: vec![Vec::new(); places.len()], lines: Vec::new(), dropped: 0 };
+            Selection { columns: vec![Vec::new(); indices.len()], lines: Vec::new(), dropped: 0 };
         for row in self.rows() {
-            match self.numbers(row, &places)? {
+            match self.numbers(row, &indices)? {
                 Some(numbers) => selection.push(self.sheet.lines[row], &numbers),
                 None => selection.dropped += 1,
             }
@@ -214,26 +214,26 @@ impl Table {
     /// # Errors
     /// Those of [`select`](Self::select).
     pub fn readings(&self, quantities: &[Vec<Column>]) -> Result<Readings, MeasurementError> {
-        let places =
+        let indices_of =
             |columns: &Vec<Column>| columns.iter().map(|column| self.sheet.index_of(column)).collect();
-        let places: Vec<Vec<usize>> = quantities.iter().map(places).collect::<Result<_, _>>()?;
+        let indices: Vec<Vec<usize>> = quantities.iter().map(indices_of).collect::<Result<_, _>>()?;
         let mut readings = Readings {
-            quantities: vec![vec![]; places.len()],
-            uncertainties: vec![Some(vec![]); places.len()],
+            quantities: vec![vec![]; indices.len()],
+            uncertainties: vec![Some(vec![]); indices.len()],
             lines: vec![],
             rows: vec![],
             dropped: 0,
         };
         for row in self.rows() {
             let of_row: Vec<Vec<f64>> =
-                places.iter().map(|columns| self.present(row, columns)).collect::<Result<_, _>>()?;
-            if of_row.iter().zip(&places).any(|(numbers, columns)| numbers.is_empty() && !columns.is_empty())
+                indices.iter().map(|columns| self.present(row, columns)).collect::<Result<_, _>>()?;
+            if of_row.iter().zip(&indices).any(|(numbers, columns)| numbers.is_empty() && !columns.is_empty())
             {
                 readings.dropped += 1;
                 continue;
             }
             readings.push(self.sheet.lines[row], row, of_row);
-            for (uncertainties, columns) in readings.uncertainties.iter_mut().zip(&places) {
+            for (uncertainties, columns) in readings.uncertainties.iter_mut().zip(&indices) {
                 let measured =
                     columns.first().and_then(|&column| self.sheet.channels[column].uncertainties[row]);
                 match (uncertainties.as_mut(), measured) {
@@ -341,16 +341,16 @@ impl Table {
     }
 
     /// The numbers in these columns of a row, without missing ones.
-    fn present(&self, row: usize, places: &[usize]) -> Result<Vec<f64>, MeasurementError> {
+    fn present(&self, row: usize, columns: &[usize]) -> Result<Vec<f64>, MeasurementError> {
         let numbers: Vec<Option<f64>> =
-            places.iter().map(|&column| self.sheet.number(column, row)).collect::<Result<_, _>>()?;
+            columns.iter().map(|&column| self.sheet.number(column, row)).collect::<Result<_, _>>()?;
         Ok(numbers.into_iter().flatten().collect())
     }
 
     /// The numbers of a row; `None` if one of them is missing.
-    fn numbers(&self, row: usize, places: &[usize]) -> Result<Option<Vec<f64>>, MeasurementError> {
+    fn numbers(&self, row: usize, columns: &[usize]) -> Result<Option<Vec<f64>>, MeasurementError> {
         let numbers: Vec<Option<f64>> =
-            places.iter().map(|&column| self.sheet.number(column, row)).collect::<Result<_, _>>()?;
+            columns.iter().map(|&column| self.sheet.number(column, row)).collect::<Result<_, _>>()?;
         Ok(numbers.into_iter().collect())
     }
 }

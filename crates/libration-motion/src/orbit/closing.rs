@@ -141,8 +141,8 @@ impl Round {
             if layout.is_velocity(number) { size * pace } else { size }
         };
         let ranges = self.ranges(layout.numbers());
-        let (places, velocities) = ranges.split_at(layout.coordinates());
-        let kinds = [(0, places), (layout.coordinates(), velocities)].into_iter();
+        let (displacements, velocities) = ranges.split_at(layout.coordinates());
+        let kinds = [(0, displacements), (layout.coordinates(), velocities)].into_iter();
         let sizes = kinds.flat_map(|(first, ranges)| {
             let largest = ranges.iter().copied().fold(0.0, f64::max);
             // A coordinate that hardly moves, or by rounding alone, has no size of its own.

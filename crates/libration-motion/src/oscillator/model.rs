@@ -99,8 +99,8 @@ impl Oscillator {
             }
         }
         let Candidates { near, none } = candidates(&force);
-        let places = near.into_iter().take(MOST_PLACES).filter_map(|near| refined(&force, near));
-        for candidate in places.filter(|candidate| *candidate != zero) {
+        let candidates = near.into_iter().take(MOST_PLACES).filter_map(|near| refined(&force, near));
+        for candidate in candidates.filter(|candidate| *candidate != zero) {
             match assessed(&force, candidate) {
                 Ok(equilibrium) => return Ok(Self::centre(equation, force, equilibrium)),
                 Err(refusal) => refusals.push(refusal),

@@ -98,9 +98,9 @@ impl Floquet {
         let errors = multiplier_errors(monodromy, units, &multipliers, change);
         let one = Complex::from(1.0);
         let distance = |&k: &usize| (multipliers[k] - one).abs();
-        let places = || 0..multipliers.len();
-        let trivial = places().min_by(|a, b| distance(a).total_cmp(&distance(b))).filter(|_| autonomous);
-        let counted = places().filter(|k| Some(*k) != trivial).map(|k| (multipliers[k].abs(), errors[k]));
+        let indices = || 0..multipliers.len();
+        let trivial = indices().min_by(|a, b| distance(a).total_cmp(&distance(b))).filter(|_| autonomous);
+        let counted = indices().filter(|k| Some(*k) != trivial).map(|k| (multipliers[k].abs(), errors[k]));
         let stability = Stability::of(counted);
         Some(Self { multipliers, errors, stability, logarithm: None })
     }

@@ -124,10 +124,10 @@ impl<'a> IndexedComponents<'a> {
         let index = |member: &str| {
             member.strip_prefix(self.name)?.strip_suffix(self.primes)?.parse::<u32>().ok().map(i64::from)
         };
-        let places = names.iter().enumerate().filter_map(|(at, member)| Some((at, index(member)?)));
-        let places: Vec<(usize, i64)> = places.collect();
+        let numbered = names.iter().enumerate().filter_map(|(at, member)| Some((at, index(member)?)));
+        let members: Vec<(usize, i64)> = numbered.collect();
         let name = format!("{}[{}]{}", self.name, self.letter, self.primes);
-        if places.is_empty() {
+        if members.is_empty() {
             return Err(InitialStateError::NoFamily { name, known: names.to_vec() });
         }
         let wrong = |reason: String| InitialStateError::Value { name: name.clone(), reason };
@@ -143,7 +143,7 @@ impl<'a> IndexedComponents<'a> {
             });
             Ok((at, value?))
         };
-        places.into_iter().map(value).collect()
+        members.into_iter().map(value).collect()
     }
 }
 

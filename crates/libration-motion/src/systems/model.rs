@@ -189,8 +189,8 @@ impl Model {
     /// The state of rest: the equilibrium value of every coordinate, without velocity.
     #[must_use]
     pub fn state_at_rest(&self) -> Vec<f64> {
-        let places = self.coordinates.iter().map(|coordinate| coordinate.at_rest);
-        self.layout().arrange(places, |_| 0.0)
+        let coordinates = self.coordinates.iter().map(|coordinate| coordinate.at_rest);
+        self.layout().arrange(coordinates, |_| 0.0)
     }
 
     /// A state at the time zero from names and values; components that are not named have their values at rest.
@@ -234,7 +234,7 @@ impl Model {
     pub fn bodies(&self) -> Option<Bodies> {
         let names: Vec<Symbol> =
             self.coordinates.iter().map(|coordinate| Symbol::plain(&coordinate.name)).collect();
-        let places = match &self.known {
+        let positions = match &self.known {
             Some(properties) if properties.bodies.is_empty() => return None,
             Some(properties) => properties.bodies.clone(),
             None if self.layout().is_of_second_order()
@@ -244,7 +244,7 @@ impl Model {
             }
             None => return None,
         };
-        Bodies::new(&places, &names).ok()
+        Bodies::new(&positions, &names).ok()
     }
 
     /// The energy gained per unit of time by a named system, a formula of the state and the time t.

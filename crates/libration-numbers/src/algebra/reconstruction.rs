@@ -104,17 +104,17 @@ struct Fractions {
 }
 
 impl Fractions {
-    fn new(places: &[Place]) -> Self {
+    fn new(positions: &[Place]) -> Self {
         let mut steps: BTreeMap<Place, Vec<usize>> = BTreeMap::new();
-        for (at, &position) in places.iter().enumerate() {
+        for (at, &position) in positions.iter().enumerate() {
             steps.entry(position).or_default().push(at);
         }
         Self {
             radix: MixedRadix::default(),
-            residues: vec![None; places.len()],
+            residues: vec![None; positions.len()],
             steps: steps.into_iter().collect(),
             done: 0,
-            numbers: vec![Rational::from(0); places.len()],
+            numbers: vec![Rational::from(0); positions.len()],
             denominators: BTreeMap::new(),
         }
     }

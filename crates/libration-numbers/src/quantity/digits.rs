@@ -48,7 +48,7 @@ pub fn short(value: f64, digits: usize) -> String {
 pub fn with_uncertainty(value: f64, uncertainty: f64, unit: &str) -> String {
     let text = match places(uncertainty) {
         _ if !uncertainty.is_finite() => format!("{} ± {} {unit}", short(value, 6), non_finite(uncertainty)),
-        Some(places) => format!("{value:.places$} ± {uncertainty:.places$} {unit}"),
+        Some(decimals) => format!("{value:.decimals$} ± {uncertainty:.decimals$} {unit}"),
         None if uncertainty > 0.0 => {
             let decimal_place = exponent(uncertainty) - 1;
             format!(
@@ -98,8 +98,8 @@ fn exponent(value: f64) -> i32 {
 /// rounded.
 fn places(uncertainty: f64) -> Option<usize> {
     const MOST: usize = 10;
-    let places = usize::try_from(1 - exponent(uncertainty)).ok()?;
-    (uncertainty > 0.0 && places <= MOST).then_some(places)
+    let decimals = usize::try_from(1 - exponent(uncertainty)).ok()?;
+    (uncertainty > 0.0 && decimals <= MOST).then_some(decimals)
 }
 
 fn non_finite(value: f64) -> &'static str {

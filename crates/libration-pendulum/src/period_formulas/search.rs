@@ -161,8 +161,8 @@ impl ErrorTable {
     #[must_use]
     pub fn amplitudes_where_ratio_of_errors(&self, a: usize, b: usize, factor: f64) -> Vec<Angle> {
         let (Some(a), Some(b)) = (self.curves.get(a), self.curves.get(b)) else { return Vec::new() };
-        let places = self.places_where_equal(a, &Other::Formula(b, factor));
-        places.into_iter().filter_map(|u| amplitude_at(u).to_angle()).collect()
+        let coordinates = self.places_where_equal(a, &Other::Formula(b, factor));
+        coordinates.into_iter().filter_map(|u| amplitude_at(u).to_angle()).collect()
     }
 
     /// Every amplitude within (0, π) at which the error changes sign, so that the formula is exact.
@@ -171,19 +171,19 @@ impl ErrorTable {
         let Some(curve) = self.curves.get(formula) else { return Vec::new() };
         let mut sign = |u: f64| imbalance(curve.error_at(u), 0.0);
         let signs: Vec<f64> = curve.errors.iter().map(|&error| imbalance(error, 0.0)).collect();
-        let places = zeros(&self.points, &signs, &mut sign);
-        places.into_iter().filter_map(|u| amplitude_at(u).to_angle()).collect()
+        let coordinates = zeros(&self.points, &signs, &mut sign);
+        coordinates.into_iter().filter_map(|u| amplitude_at(u).to_angle()).collect()
     }
 
     fn changes_of_lead(&self, a: &Curve, b: &Curve) -> Vec<Crossover> {
-        let places = self.places_where_equal(a, &Other::Formula(b, 1.0));
-        let between = self.midpoints_about(&places);
+        let coordinates = self.places_where_equal(a, &Other::Formula(b, 1.0));
+        let between = self.midpoints_about(&coordinates);
         let first_leads: Vec<bool> =
             between.iter().map(|&u| a.error_at(u).abs() < b.error_at(u).abs()).collect();
         let leader =
             |first: bool| if first { a.formula.key().to_owned() } else { b.formula.key().to_owned() };
         let mut crossovers = Vec::new();
-        for (&u, leads) in places.iter().zip(first_leads.windows(2)) {
+        for (&u, leads) in coordinates.iter().zip(first_leads.windows(2)) {
             let amplitude = amplitude_at(u).to_angle();
             if let Some(amplitude) = amplitude.filter(|_| leads[0] != leads[1]) {
                 let (better_below, better_above) = (leader(leads[0]), leader(leads[1]));
@@ -194,35 +194,35 @@ impl ErrorTable {
         crossovers
     }
 
-    /// One position below the first of `places`, one between each two, and one above the last.
-    fn midpoints_about(&self, places: &[Coordinate]) -> Vec<Coordinate> {
+    /// One position below the first of `coordinates`, one between each two, and one above the last.
+    fn midpoints_about(&self, coordinates: &[Coordinate]) -> Vec<Coordinate> {
         let ends = self.ends();
-        let first = places.first().map(|&u| f64::max(u - 0.05, f64::midpoint(ends.0, u)));
-        let last = places.last().map(|&u| f64::min(u + 0.05, f64::midpoint(ends.1, u)));
-        let inner = places.windows(2).map(|pair| f64::midpoint(pair[0], pair[1]));
+        let first = coordinates.first().map(|&u| f64::max(u - 0.05, f64::midpoint(ends.0, u)));
+        let last = coordinates.last().map(|&u| f64::min(u + 0.05, f64::midpoint(ends.1, u)));
+        let inner = coordinates.windows(2).map(|pair| f64::midpoint(pair[0], pair[1]));
         first.into_iter().chain(inner).chain(last).collect()
     }
 
     fn holding_segments(&self, curve: &Curve, tolerance: f64) -> Vec<(Coordinate, Coordinate)> {
         let ends = self.ends();
-        let places = self.places_where_equal(curve, &Other::Tolerance(tolerance));
-        let bounds: Vec<_> = [ends.0].into_iter().chain(places).chain([ends.1]).collect();
+        let coordinates = self.places_where_equal(curve, &Other::Tolerance(tolerance));
+        let bounds: Vec<_> = [ends.0].into_iter().chain(coordinates).chain([ends.1]).collect();
         let segments = bounds.windows(2).map(|pair| (pair[0], pair[1]));
         segments.filter(|&(from, to)| curve.error_at(f64::midpoint(from, to)).abs() <= tolerance).collect()
     }
 
     /// The positions at which |error| equals that of the other, with equal or opposite signs.
     fn places_where_equal(&self, curve: &Curve, other: &Other<'_>) -> Vec<Coordinate> {
-        let mut places = Vec::new();
+        let mut coordinates = Vec::new();
         for sign in [1.0, -1.0] {
             let indices = 0..self.points.len();
             let values: Vec<f64> =
                 indices.map(|i| imbalance(curve.errors[i], sign * other.error_in_table(i))).collect();
             let mut difference = |u: f64| imbalance(curve.error_at(u), sign * other.error_at(u));
-            places.extend(zeros(&self.points, &values, &mut difference));
+            coordinates.extend(zeros(&self.points, &values, &mut difference));
         }
-        places.sort_by(f64::total_cmp);
-        places
+        coordinates.sort_by(f64::total_cmp);
+        coordinates
     }
 
     fn ends(&self) -> (Coordinate, Coordinate) {

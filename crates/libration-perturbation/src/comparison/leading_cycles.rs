@@ -123,9 +123,9 @@ impl LeadingLimitCycles {
         }
         let centre = oscillator.equilibrium().to_f64();
         let work = WorkOverOrbits::new(&unperturbed, &force, centre).ok_or(SlowFlowError::NoSeries)?;
-        let Scan { places, family_ends } = Scan::new(&work, watch)?;
-        let cycles = cycles(&work, &places, watch)?;
-        let ends = [&places[0], &places[places.len() - 1]];
+        let Scan { places: points, family_ends } = Scan::new(&work, watch)?;
+        let cycles = cycles(&work, &points, watch)?;
+        let ends = [&points[0], &points[points.len() - 1]];
         Ok(Self {
             parameter,
             equilibrium: centre,
@@ -161,13 +161,13 @@ const TOWARDS_THE_END: usize = 8;
 
 impl Scan {
     fn new(work: &WorkOverOrbits<'_>, watch: &Watch<'_>) -> Result<Self, LeadingLimitCyclesError> {
-        let mut places: Vec<Work> = vec![];
+        let mut points: Vec<Work> = vec![];
         let mut amplitude = SMALLEST;
         while amplitude <= LARGEST {
             match work.at(amplitude, watch) {
-                Ok(reached) => places.push(reached),
+                Ok(reached) => points.push(reached),
                 Err(OrbitError::Interrupted(stopped)) => return Err(stopped.into()),
-                Err(error) if places.is_empty() => return Err(error.into()),
+                Err(error) if points.is_empty() => return Err(error.into()),
                 Err(_) => break,
             }
             amplitude *= RATIO;
@@ -179,7 +179,7 @@ impl Scan {
                 let middle = f64::midpoint(inside, outside);
                 match work.at(middle, watch) {
                     Ok(reached) => {
-                        places.push(reached);
+                        points.push(reached);
                         inside = middle;
                     }
                     Err(OrbitError::Interrupted(stopped)) => return Err(stopped.into()),
@@ -187,16 +187,16 @@ impl Scan {
                 }
             }
         }
-        Ok(Self { places, family_ends })
+        Ok(Self { places: points, family_ends })
     }
 }
 
 fn cycles(
     work: &WorkOverOrbits<'_>,
-    places: &[Work],
+    points: &[Work],
     watch: &Watch<'_>,
 ) -> Result<Vec<LeadingLimitCycle>, LeadingLimitCyclesError> {
-    let certain: Vec<Work> = places.iter().copied().filter(Work::is_some).collect();
+    let certain: Vec<Work> = points.iter().copied().filter(Work::is_some).collect();
     let mut cycles = vec![];
     for pair in certain.windows(2) {
         let [below, above] = [pair[0], pair[1]];

@@ -88,7 +88,7 @@ impl<E: Clone> SeriesSet<E> {
         let both = |position: Place| HarmonicPair { cosine: position, sine: position };
         let of_harmonic =
             |series: &Vec<HarmonicPair<E>>| places_of(0, series.len(), order).into_iter().map(both).collect();
-        let places = SeriesSet {
+        let positions = SeriesSet {
             frequency: of(0, &self.frequency),
             harmonics: self.harmonics.iter().map(of_harmonic).collect(),
             x_max: of(0, &self.x_max),
@@ -96,7 +96,7 @@ impl<E: Clone> SeriesSet<E> {
             of_amplitude: self.of_amplitude.as_ref().map(|of_amplitude| of_variable(1, of_amplitude)),
             of_half_swing: self.of_half_swing.as_ref().map(|of_half_swing| of_variable(2, of_half_swing)),
         };
-        places.numbers()
+        positions.numbers()
     }
 
     /// The set of an expansion to a lower order.

@@ -41,8 +41,8 @@ impl ReadColumn {
                 swings: None,
             })
         };
-        let places = (0..wanted.len()).filter_map(|index| Some((index, wanted[index].quantity()?)));
-        let of_quantities = places.zip(&roles.quantities).flat_map(|((index, quantity), columns)| {
+        let quantities = (0..wanted.len()).filter_map(|index| Some((index, wanted[index].quantity()?)));
+        let of_quantities = quantities.zip(&roles.quantities).flat_map(|((index, quantity), columns)| {
             let name = quantity.name;
             let readings = columns.readings.iter().map(move |reading| column(reading, name, Some(index)));
             let uncertainties = columns.uncertainties.iter().map(move |(it, kind)| {

@@ -114,15 +114,15 @@ impl Guess {
     /// Measures the landmark at each position; on all cores where there are many rows per landmark.
     fn each<R: Send>(
         &self,
-        places: usize,
+        landmarks: usize,
         trace: &Trace,
         watch: &Watch<'_>,
         measure: impl Fn(usize, &Watch<'_>) -> R + Sync,
     ) -> Vec<R> {
-        let places: Vec<usize> = (0..places).collect();
+        let indices: Vec<usize> = (0..landmarks).collect();
         match trace.len() / self.passages.len() >= WORTH_A_CORE {
-            true => parallel::map(&places, watch, |&k, watch| measure(k, watch)),
-            false => places.into_iter().map(|k| measure(k, watch)).collect(),
+            true => parallel::map(&indices, watch, |&k, watch| measure(k, watch)),
+            false => indices.into_iter().map(|k| measure(k, watch)).collect(),
         }
     }
 

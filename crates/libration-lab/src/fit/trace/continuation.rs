@@ -138,12 +138,12 @@ impl TraceFit {
     }
 
     /// The standard deviation of a value, from its changes with one standard uncertainty of each parameter.
-    fn deviation(&self, places: &[usize], changes: &[[f64; 2]], of: usize) -> f64 {
+    fn deviation(&self, indices: &[usize], changes: &[[f64; 2]], of: usize) -> f64 {
         let product = |(i, &a): (usize, &usize)| -> f64 {
-            let row = places.iter().zip(changes).map(|(&b, change)| self.correlations[a][b] * change[of]);
+            let row = indices.iter().zip(changes).map(|(&b, change)| self.correlations[a][b] * change[of]);
             changes[i][of] * row.sum::<f64>()
         };
-        places.iter().enumerate().map(product).sum::<f64>().max(0.0).sqrt()
+        indices.iter().enumerate().map(product).sum::<f64>().max(0.0).sqrt()
     }
 
     fn motion_parameters(&self, trace: usize) -> MotionParameters {
@@ -153,8 +153,8 @@ impl TraceFit {
         };
         let numbered = self.parameters.iter().enumerate();
         let of_motion = numbered.filter(|(_, parameter)| is_of_motion(parameter));
-        let (places, values) = of_motion.map(|(index, parameter)| (index, parameter.estimate.value)).unzip();
-        MotionParameters { terms: self.damping.iter().collect(), places, values }
+        let (indices, values) = of_motion.map(|(index, parameter)| (index, parameter.estimate.value)).unzip();
+        MotionParameters { terms: self.damping.iter().collect(), places: indices, values }
     }
 }
 

@@ -79,9 +79,9 @@ impl Model {
         let (offset, scale) = (layout.offset(number), layout.scale());
         let of_motion: Vec<usize> = layout.of_motion(number).collect();
         let is_own = |index: &usize| *index == offset || *index == scale || of_motion.contains(index);
-        let places: Vec<usize> = free.iter().copied().filter(is_own).collect();
-        let mut matrix = DMatrix::zeros(series.times.len(), places.len() + 1);
-        for (&index, mut column) in places.iter().zip(matrix.column_iter_mut()) {
+        let indices: Vec<usize> = free.iter().copied().filter(is_own).collect();
+        let mut matrix = DMatrix::zeros(series.times.len(), indices.len() + 1);
+        for (&index, mut column) in indices.iter().zip(matrix.column_iter_mut()) {
             let weights = column.iter_mut().zip(series.weights.iter());
             match of_motion.iter().position(|&other| other == index) {
                 Some(derivative) => {
@@ -93,12 +93,12 @@ impl Model {
                 None => weights.zip(&seen.values).for_each(|((x, weight), value)| *x = value * weight),
             }
         }
-        let residuals = matrix.column_mut(places.len());
+        let residuals = matrix.column_mut(indices.len());
         let observed = series.values.iter().zip(series.weights.iter());
         for ((x, value), (observed, weight)) in residuals.into_iter().zip(&seen.values).zip(observed) {
             *x = (parameters[offset] + parameters[scale] * value - observed) * weight;
         }
-        ResidualRows { places, matrix }
+        ResidualRows { places: indices, matrix }
     }
 }
 
@@ -132,14 +132,14 @@ fn stacked(parts: &[(&[usize], &DMatrix<f64>)], free: &[usize]) -> Linearised {
     let mut residuals = DVector::zeros(total);
     let mut jacobian = DMatrix::zeros(total, free.len());
     let mut first = 0;
-    for (places, matrix) in parts {
+    for (indices, matrix) in parts {
         let rows = matrix.nrows();
-        for (source, index) in places.iter().enumerate() {
+        for (source, index) in indices.iter().enumerate() {
             if let Some(column) = free.iter().position(|other| other == index) {
                 jacobian.column_mut(column).rows_mut(first, rows).copy_from(&matrix.column(source));
             }
         }
-        residuals.rows_mut(first, rows).copy_from(&matrix.column(places.len()));
+        residuals.rows_mut(first, rows).copy_from(&matrix.column(indices.len()));
         first += rows;
     }
     Linearised { residuals, jacobian }

@@ -144,15 +144,15 @@ impl<'a> Rows<'a> {
             let depends = |index: &usize| {
                 jacobian.column(*index).rows(first, trace.len()).iter().any(|x| x.abs() > 0.0)
             };
-            let places: Vec<usize> = (0..parameters).filter(depends).collect();
-            let mut rows = Vec::with_capacity(trace.len() * (places.len() + 1));
+            let indices: Vec<usize> = (0..parameters).filter(depends).collect();
+            let mut rows = Vec::with_capacity(trace.len() * (indices.len() + 1));
             for n in first..first + trace.len() {
                 rows.extend(
-                    places.iter().map(|&index| jacobian[(n, index)] / sizes[index]).chain([residuals[n]]),
+                    indices.iter().map(|&index| jacobian[(n, index)] / sizes[index]).chain([residuals[n]]),
                 );
             }
-            let places = places.iter().copied().chain([parameters]).collect();
-            parts.push(Part { times: trace.times(), first, places, rows });
+            let columns = indices.iter().copied().chain([parameters]).collect();
+            parts.push(Part { times: trace.times(), first, places: columns, rows });
             first += trace.len();
         }
         Self { parts, parameters }

@@ -59,11 +59,11 @@ fn check_places(
         let (_, end) = archive.get_entry(entry.wayfinder())?.compressed_data_range();
         Ok((entry.local_header_offset(), end))
     };
-    let mut places: Vec<(u64, u64)> =
+    let mut extents: Vec<(u64, u64)> =
         entries.iter().map(extent).collect::<Result<_, rawzip::Error>>().map_err(damaged)?;
-    places.push((archive.directory_offset(), u64::MAX));
-    places.sort_unstable();
-    if places.windows(2).any(|pair| pair[0].1 > pair[1].0) {
+    extents.push((archive.directory_offset(), u64::MAX));
+    extents.sort_unstable();
+    if extents.windows(2).any(|pair| pair[0].1 > pair[1].0) {
         return Err(damaged("its files overlap"));
     }
     Ok(())

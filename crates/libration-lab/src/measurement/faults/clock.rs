@@ -101,9 +101,10 @@ impl Clock {
     /// Root mean square error that the rounding of the times causes in values that change as these, of the kept rows.
     pub(super) fn rounding_noise(&self, kept: &[usize], values: &[f64]) -> Option<f64> {
         let grid = self.grid.as_ref()?;
-        let places = kept.windows(2).map(|pair| grid.numbers[pair[1]].saturating_sub(grid.numbers[pair[0]]));
-        let steps = values.windows(2).map(|pair| pair[1] - pair[0]).zip(places);
-        let speeds = steps.map(|(step, places)| step / (grid.interval * count(places.max(1))));
+        let intervals =
+            kept.windows(2).map(|pair| grid.numbers[pair[1]].saturating_sub(grid.numbers[pair[0]]));
+        let steps = values.windows(2).map(|pair| pair[1] - pair[0]).zip(intervals);
+        let speeds = steps.map(|(step, ticks)| step / (grid.interval * count(ticks.max(1))));
         let noise = grid.rms_deviation * root_mean_square(speeds);
         noise.is_finite().then_some(noise)
     }
@@ -124,7 +125,7 @@ fn usual_interval(times: &[f64]) -> Option<f64> {
 
 /// The decimal step of which all times are multiples, up to the rounding of their binary values.
 fn resolution(times: &[f64]) -> Option<f64> {
-    let steps = (0..=9).map(|places| 10_u32.pow(places)).map(f64::from);
+    let steps = (0..=9).map(|decimals| 10_u32.pow(decimals)).map(f64::from);
     let is_whole = |value: f64| (value - value.round()).abs() <= 1e-9 + 4.0 * f64::EPSILON * value.abs();
     steps.into_iter().find(|scale| times.iter().all(|time| is_whole(time * scale))).map(|scale| 1.0 / scale)
 }
@@ -151,9 +152,9 @@ fn grid_of_digits(times: &[f64], digits: SignificantDigits, interval: f64) -> Op
             tick
         })
         .collect();
-    let mut places = [rows, with_gaps].into_iter();
-    let grid = places
-        .find_map(|places| Some(EvenTimes::through(times, &places, &half_steps)?.grid(times, &places)))?;
+    let mut candidates = [rows, with_gaps].into_iter();
+    let grid = candidates
+        .find_map(|ticks| Some(EvenTimes::through(times, &ticks, &half_steps)?.grid(times, &ticks)))?;
     (grid.rms_deviation > NEGLIGIBLE_ROUNDING * grid.interval).then_some(grid)
 }
 
@@ -174,12 +175,12 @@ fn grid_of_increasing(times: &[f64], kept: &[usize], interval: f64, resolution: 
     let increasing: Vec<f64> = kept.iter().map(|&row| times[row]).collect();
     let better = slope_between_gaps(&increasing, interval);
     let mut tick = 0;
-    let mut places = vec![0];
+    let mut ticks = vec![0];
     for length in intervals(&increasing) {
         tick = whole(length / better).max(1).saturating_add(tick);
-        places.push(tick);
+        ticks.push(tick);
     }
-    let grid = grid(&increasing, &places, resolution)?;
+    let grid = grid(&increasing, &ticks, resolution)?;
     let numbers = times.iter().map(|time| whole((time - grid.first) / grid.interval)).collect();
     Some(Grid { numbers, ..grid })
 }
@@ -199,21 +200,21 @@ fn slope_between_gaps(times: &[f64], interval: f64) -> f64 {
 }
 
 /// The least-squares grid, if the times are on it up to their rounding, and not exactly.
-fn grid(times: &[f64], places: &[usize], resolution: Option<f64>) -> Option<Grid> {
+fn grid(times: &[f64], ticks: &[usize], resolution: Option<f64>) -> Option<Grid> {
     let resolution = resolution?;
-    let (x, t) = (mean(places.iter().map(|&number| count(number))), mean(times.iter().copied()));
-    let moments = places.iter().zip(times).map(|(&number, time)| {
+    let (x, t) = (mean(ticks.iter().map(|&number| count(number))), mean(times.iter().copied()));
+    let moments = ticks.iter().zip(times).map(|(&number, time)| {
         let from_mean = count(number) - x;
         (from_mean * (time - t), from_mean * from_mean)
     });
     let (products, squares) = moments.fold((0.0, 0.0), |(a, b), (c, d)| (a + c, b + d));
     let interval = products / squares;
-    let bounds = EvenTimes::through(times, places, &vec![0.5 * resolution; times.len()]);
+    let bounds = EvenTimes::through(times, ticks, &vec![0.5 * resolution; times.len()]);
     // Independent errors of rounding, for programs that add up rounded intervals.
     let usual = resolution / (12.0 * squares).sqrt();
     let interval_uncertainty = bounds.map_or(usual, |bounds| bounds.interval_uncertainty);
     let even = EvenTimes { first: interval.mul_add(-x, t), interval, interval_uncertainty };
-    let even = even.grid(times, places);
+    let even = even.grid(times, ticks);
     let (rms, largest_deviation) = (even.rms_deviation, even.largest_deviation);
     // Half a step of the rounding itself, √(1/12) in the mean square; programs that add up rounded intervals are off by more: with one step,
     // or half of one in the mean square, a video of 4502 frames was not even; with 4, and with 1, nothing changed. A tenth is exact

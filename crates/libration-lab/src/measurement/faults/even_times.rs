@@ -24,9 +24,9 @@ pub struct EvenTimes {
 
 impl EvenTimes {
     /// Equally spaced times within these half steps of the times at these positions, if there are any.
-    pub fn through(times: &[f64], places: &[usize], half_steps: &[f64]) -> Option<Self> {
+    pub fn through(times: &[f64], numbers: &[usize], half_steps: &[f64]) -> Option<Self> {
         let (first, last) = (*times.first()?, *times.last()?);
-        let span = count(*places.last()?);
+        let span = count(*numbers.last()?);
         let chord = (last - first) / span;
         let widest = half_steps.iter().copied().fold(0.0, f64::max);
         if !(chord > 0.0 && chord.is_finite() && widest > 0.0) {
@@ -34,7 +34,7 @@ impl EvenTimes {
         }
         // The line is within the widest half step of both ends: in units of it, about the chord, on places from 0 to 1.
         let mut polygon = vec![(-2.0, -4.0), (2.0, -4.0), (2.0, 4.0), (-2.0, 4.0)];
-        for ((time, &number), half) in times.iter().zip(places).zip(half_steps) {
+        for ((time, &number), half) in times.iter().zip(numbers).zip(half_steps) {
             let step = count(number);
             let (along, off) = (step / span, (time - chord.mul_add(step, first)) / widest);
             let half = (1.0 + TWICE_ROUNDED) * half / widest;
@@ -51,10 +51,10 @@ impl EvenTimes {
     }
 
     /// The grid, with the errors of the times as written.
-    pub(super) fn grid(self, times: &[f64], places: &[usize]) -> Grid {
+    pub(super) fn grid(self, times: &[f64], numbers: &[usize]) -> Grid {
         let Self { first, interval, interval_uncertainty } = self;
         let errors =
-            || places.iter().zip(times).map(|(&number, time)| interval.mul_add(count(number), first) - time);
+            || numbers.iter().zip(times).map(|(&number, time)| interval.mul_add(count(number), first) - time);
         let rms_deviation = root_mean_square(errors());
         let largest_deviation = errors().fold(0.0, |largest: f64, error| largest.max(error.abs()));
         Grid {
@@ -63,7 +63,7 @@ impl EvenTimes {
             interval_uncertainty,
             rms_deviation,
             largest_deviation,
-            numbers: places.to_vec(),
+            numbers: numbers.to_vec(),
         }
     }
 }

@@ -52,18 +52,18 @@ impl GivenRoles {
         needed: &[TableQuantity],
     ) -> Result<Vec<Option<ColumnRole>>, MeasurementError> {
         let rest = self.are_all.then_some(ColumnRole::Ignored);
-        let mut places = vec![rest; table.width()];
+        let mut roles = vec![rest; table.width()];
         for (column, role) in &self.roles {
-            places[table.sheet().index_of(column)?] = Some(*role);
+            roles[table.sheet().index_of(column)?] = Some(*role);
         }
         for (quantity, it) in needed.iter().enumerate() {
             let of_quantity = |role: &&Option<ColumnRole>| matches!(role, Some(ColumnRole::Uncertainty(of, _)) if *of == quantity);
-            if places.iter().filter(of_quantity).count() > 1 {
+            if roles.iter().filter(of_quantity).count() > 1 {
                 let question = format!("two columns are uncertainties of the {}", it.name);
                 let choices = vec![Suggestion::new(Choice::Role, "COLUMN=ignore")];
                 return Err(MeasurementError::Undecided { question, choices });
             }
         }
-        Ok(places)
+        Ok(roles)
     }
 }

@@ -22,8 +22,8 @@ impl RoleSearch<'_> {
         if !is_other || !left.iter().zip(right).all(|(left, right)| name(left) == name(right)) {
             return Ok(());
         }
-        let columns = |places: &[usize]| {
-            let numbers: Vec<String> = places.iter().map(|column| (column + 1).to_string()).collect();
+        let columns = |indices: &[usize]| {
+            let numbers: Vec<String> = indices.iter().map(|column| (column + 1).to_string()).collect();
             Suggestion::new(Choice::Columns, numbers.join(","))
         };
         Err(MeasurementError::Undecided {

@@ -10,9 +10,9 @@ impl RoleSearch<'_> {
     /// to that of the same name; `T uncertainty` to the only one of which it can be the symbol or the initial. Of two for one quantity the first is
     /// taken. Repeated readings have the uncertainty of their scatter.
     pub(super) fn assign_uncertainties(&mut self) -> Result<(), MeasurementError> {
-        let places: Vec<usize> = (0..self.kinds.len()).filter(|&it| self.kind_of(it).is_some()).collect();
+        let columns: Vec<usize> = (0..self.kinds.len()).filter(|&it| self.kind_of(it).is_some()).collect();
         let mut open = vec![];
-        for column in places {
+        for column in columns {
             match self.value_of(column) {
                 Some(value) => self.give(column, value),
                 None if self.heading(column).is_bare_uncertainty() => {}

@@ -80,11 +80,11 @@ impl Group<'_> {
         column.map(|column| self.sheet.index_of(column)).transpose()
     }
 
-    fn undecided(&self, question: &str, choice: Choice, places: &[usize]) -> MeasurementError {
+    fn undecided(&self, question: &str, choice: Choice, indices: &[usize]) -> MeasurementError {
         const SHOWN: usize = 8;
-        let shown = &places[..places.len().min(SHOWN)];
+        let shown = &indices[..indices.len().min(SHOWN)];
         let mut columns: Vec<String> = shown.iter().map(|&column| self.sheet.describe(column)).collect();
-        columns.extend((places.len() > SHOWN).then(|| "…".to_owned()));
+        columns.extend((indices.len() > SHOWN).then(|| "…".to_owned()));
         let question = question.replace("{}", &columns.join(", "));
         let choices = shown.iter().map(|column| Suggestion::new(choice, (column + 1).to_string())).collect();
         MeasurementError::Undecided { question, choices }
@@ -233,9 +233,9 @@ impl Group<'_> {
             "several columns are angular velocities, and they are not those of a turning about one axis: {}";
         let value = value.ok_or_else(|| self.undecided(question, Choice::AngularVelocity, &velocities))?;
         let text = match value {
-            Value::Axes(places, axis) => {
+            Value::Axes(axes, axis) => {
                 let [x, y, z] = axis.map(|part| format!("{part:.3}"));
-                let columns = places.map(|column| (column + 1).to_string()).join(", ");
+                let columns = axes.map(|column| (column + 1).to_string()).join(", ");
                 format!(
                     "columns {columns} are the angular velocity about the axis ({x}, {y}, {z}) of the device, about which nearly all \
                      of the motion is"

@@ -70,11 +70,11 @@ impl RunRows {
         name: String,
         rows: impl Iterator<Item = usize>,
     ) -> Result<Self, MeasurementError> {
-        let places = columns.value.places();
-        let mut run = Self { name, columns: vec![Vec::new(); places.len()], ..Self::default() };
+        let indices = columns.value.places();
+        let mut run = Self { name, columns: vec![Vec::new(); indices.len()], ..Self::default() };
         let mut blank = 0;
         for row in rows {
-            match run.take(sheet, columns, &places, row)? {
+            match run.take(sheet, columns, &indices, row)? {
                 Taken::Whole => {
                     run.incomplete += blank;
                     blank = 0;
@@ -94,12 +94,12 @@ impl RunRows {
         &mut self,
         sheet: &Sheet,
         columns: &Columns,
-        places: &[usize],
+        indices: &[usize],
         row: usize,
     ) -> Result<Taken, MeasurementError> {
         let time = sheet.number(columns.time, row)?;
         let values: Vec<Option<f64>> =
-            places.iter().map(|&column| sheet.number(column, row)).collect::<Result<_, _>>()?;
+            indices.iter().map(|&column| sheet.number(column, row)).collect::<Result<_, _>>()?;
         let uncertainty = columns.uncertainty.map(|column| sheet.number(column, row)).transpose()?;
         let is_blank = time.is_none() && values[0].is_none();
         let (Some(time), Some(values), false) =
@@ -274,11 +274,11 @@ impl RunRows {
                 self.values = self.columns[0].clone();
                 (column, observable)
             }
-            Value::Axes(places, axis) => {
+            Value::Axes(axes, axis) => {
                 let rate =
                     |row: usize| self.columns.iter().zip(axis).map(|(rates, part)| part * rates[row]).sum();
                 self.values = (0..self.rows.len()).map(rate).collect();
-                (places[0], Observable::AngularVelocity)
+                (axes[0], Observable::AngularVelocity)
             }
             Value::Positions { x, y } => {
                 positions::same_unit(sheet, x, y)?;
@@ -313,10 +313,10 @@ impl RunRows {
 /// The rows of each number in this column, in the order in which the numbers come.
 fn numbered(sheet: &Sheet, numbering: usize) -> Result<Vec<(f64, Vec<usize>)>, MeasurementError> {
     let mut runs: Vec<(f64, Vec<usize>)> = Vec::new();
-    let mut places: BTreeMap<u64, usize> = BTreeMap::new();
+    let mut run_indices: BTreeMap<u64, usize> = BTreeMap::new();
     for row in 0..sheet.rows() {
         let Some(number) = sheet.number(numbering, row)? else { continue };
-        let run = *places.entry(number.to_bits()).or_insert(runs.len());
+        let run = *run_indices.entry(number.to_bits()).or_insert(runs.len());
         if run == runs.len() {
             runs.push((number, Vec::new()));
         }

@@ -20,7 +20,7 @@ impl Value {
         match self {
             Self::Column(column, _) => vec![column],
             Self::Positions { x, y } => vec![x, y],
-            Self::Axes(places, _) => places.to_vec(),
+            Self::Axes(axes, _) => axes.to_vec(),
         }
     }
 }

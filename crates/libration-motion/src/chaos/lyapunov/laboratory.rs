@@ -118,8 +118,8 @@ impl<'a> Laboratory<'a> {
     fn displaced(&self, start: &Moment, neighbour: usize) -> Moment {
         /// Larger than what regular motions make of rounding errors, small enough for the neighbours to share the motion's fate.
         const BESIDE: f64 = 1e-6;
-        let places = self.units.iter().zip(1..);
-        let moves = places.map(|(unit, number)| {
+        let numbered = self.units.iter().zip(1..);
+        let moves = numbered.map(|(unit, number)| {
             let opposite = neighbour.is_multiple_of(2) && u32::is_multiple_of(number, 2);
             let size = BESIDE * unit * unequal_part(number);
             if opposite { -size } else { size }

@@ -38,8 +38,8 @@ impl Gradients {
     /// The same formulas for a state that is integrated together with its sensitivities.
     #[must_use]
     pub fn among(self, sensitivities: &Sensitivities) -> Self {
-        let places = (0..self.places.len()).map(|component| sensitivities.place(0, component)).collect();
-        Self { places, ..self }
+        let slots = (0..self.places.len()).map(|component| sensitivities.place(0, component)).collect();
+        Self { places: slots, ..self }
     }
 
     /// The number of formulas.

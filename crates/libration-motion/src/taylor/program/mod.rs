@@ -78,12 +78,21 @@ impl Program {
             places: vec![],
             rows: tape.inputs(),
         };
-        let (places, input_degrees) = (vec![], degrees);
+        let (rows, input_degrees) = (vec![], degrees);
         let delays = delays(tape, last);
         let reciprocals = HashMap::new();
         let (degrees, values) = (vec![], vec![]);
-        let mut writer =
-            Writer { tape, terms, program, values, places, degrees, delays, reciprocals, input_degrees };
+        let mut writer = Writer {
+            tape,
+            terms,
+            program,
+            values,
+            places: rows,
+            degrees,
+            delays,
+            reciprocals,
+            input_degrees,
+        };
         for slot in 0..tape.operations().len() {
             writer.write(slot);
         }

@@ -102,9 +102,9 @@ impl Recorder {
 
     /// The first slot of values in consecutive slots; `None` if they are not consecutive.
     fn first_place(&self, values: &[Recorded]) -> Option<usize> {
-        let places = self.places.borrow();
-        let first = places[*values.first()?]?;
-        let behind = (first..).zip(values).all(|(slot, value)| places[*value] == Some(slot));
+        let slots = self.places.borrow();
+        let first = slots[*values.first()?]?;
+        let behind = (first..).zip(values).all(|(slot, value)| slots[*value] == Some(slot));
         behind.then_some(first)
     }
 }

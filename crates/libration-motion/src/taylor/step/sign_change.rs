@@ -17,14 +17,14 @@ pub fn first_sign_change(coefficients: &[f64]) -> Option<f64> {
 
 /// All such positions in ascending order.
 pub fn sign_changes(coefficients: &[f64]) -> Vec<f64> {
-    let mut places = Vec::new();
+    let mut positions = Vec::new();
     let note = |position| {
-        places.push(position);
+        positions.push(position);
         ControlFlow::Continue(())
     };
     // The search is never stopped by `note`.
     let _ = Search::new(coefficients, note).within(bernstein(coefficients), 0.0, 1.0);
-    places
+    positions
 }
 
 /// The coefficients of a series in powers of the fraction of a length. A coefficient of zero stays zero even if the power overflows.

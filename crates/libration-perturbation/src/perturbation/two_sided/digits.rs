@@ -79,8 +79,8 @@ impl<'a> Place<'a> {
         let length = self.side.displacement.len();
         let projected = |n: usize| floats.multiply(&self.side.displacement[n], &self.cosines[n]);
         if k == 0 {
-            let places: Vec<BigFloat> = (0..length).map(projected).collect();
-            let twice = floats.series_product(&places, &self.rate, length);
+            let products: Vec<BigFloat> = (0..length).map(projected).collect();
+            let twice = floats.series_product(&products, &self.rate, length);
             return Some(twice.into_iter().map(BigFloat::halved).collect());
         }
         let angle = floats.times_integer(&self.angle, i64::try_from(k).ok()?);
@@ -112,9 +112,9 @@ fn number_of_places(floats: Floats, frequencies: usize) -> usize {
 
 /// The nodes above zero of Gauss's rule from −1 to 1, with their weights: the zeros of the Legendre polynomial, by Newton's method.
 fn upper_places(floats: Floats, places: usize) -> Vec<(BigFloat, BigFloat)> {
-    let places = places + places % 2;
-    let near = |i: usize| libm::cos(std::f64::consts::PI * (count(i) + 0.75) / (count(places) + 0.5));
-    (0..places / 2).filter_map(|i| gauss_place(floats, places, near(i))).collect()
+    let nodes = places + places % 2;
+    let near = |i: usize| libm::cos(std::f64::consts::PI * (count(i) + 0.75) / (count(nodes) + 0.5));
+    (0..nodes / 2).filter_map(|i| gauss_place(floats, nodes, near(i))).collect()
 }
 
 fn gauss_place(floats: Floats, degree: usize, near: f64) -> Option<(BigFloat, BigFloat)> {

@@ -67,9 +67,9 @@ impl<'a> Swing<'a> {
         let (ring, length) = (&self.ring, self.side.displacement.len());
         if k == 0 {
             let product = |(cosine, c): (&Function, &Number)| ring.times_number(cosine, c);
-            let places: Vec<Function> =
+            let products: Vec<Function> =
                 self.cosines.iter().zip(self.side.displacement).map(product).collect();
-            let twice = ring.series_product(&places, &self.rate, length);
+            let twice = ring.series_product(&products, &self.rate, length);
             return twice.iter().map(|part| NUMBERS.over_integer(&mean(ring, part)?, 2)).collect();
         }
         let [cosine, sine] = turned(ring, k, &self.delta)?;

@@ -215,14 +215,14 @@ fn of_point() -> Fields<ModePoint> {
             json::numbers(&point.start)
         })
         .words("start", |point| {
-            let (places, velocities) = point.start.split_at(point.start.len() / 2);
+            let (displacements, velocities) = point.start.split_at(point.start.len() / 2);
             /// Velocities below this fraction of the largest one of the coordinate are rounding errors.
             const STILL: f64 = 1e-9;
             let still = STILL * point.amplitude * point.orbit.frequency();
             let shown = if velocities.iter().any(|velocity| velocity.abs() > still) {
                 &point.start[..]
             } else {
-                places
+                displacements
             };
             shown.iter().map(|x| short(*x, 10)).collect::<Vec<_>>().join(", ")
         }),

@@ -90,9 +90,9 @@ impl SwingsTable<'_> {
         let Self { amplitudes, pendulum, .. } = *self;
         let all = amplitudes.len();
         let texts = |piece: usize| {
-            let places = piece * PIECE..all.min((piece + 1) * PIECE);
+            let indices = piece * PIECE..all.min((piece + 1) * PIECE);
             let swings_in: Vec<(Amplitude, Option<f64>)> =
-                places.filter_map(|index| amplitudes.get(index)).collect();
+                indices.filter_map(|index| amplitudes.get(index)).collect();
             let swings = Swing::all(&swings_in, pendulum);
             let estimates = estimates(&swings, formulas);
             swings.iter().zip(estimates).fold(vec![], |mut text, (swing, estimates)| {

@@ -54,11 +54,11 @@ impl<'a> NumberedBranch<'a> {
 
     /// Points and special points in their order.
     pub(super) fn places(&'a self) -> Vec<PointOfBranch<'a>> {
-        let mut places: Vec<(usize, PointOfBranch<'a>)> =
+        let mut points: Vec<(usize, PointOfBranch<'a>)> =
             self.points().enumerate().map(|(k, it)| (2 * k + 1, it)).collect();
-        places.extend(self.branch.special.iter().map(|it| 2 * it.before).zip(self.special()));
-        places.sort_by_key(|(order, _)| *order);
-        places.into_iter().map(|(_, point)| point).collect()
+        points.extend(self.branch.special.iter().map(|it| 2 * it.before).zip(self.special()));
+        points.sort_by_key(|(order, _)| *order);
+        points.into_iter().map(|(_, point)| point).collect()
     }
 }
 

@@ -178,7 +178,8 @@ impl Simulate {
         let form = self.form.form_of_file(self.output.as_deref());
         let axes =
             self.axes.as_deref().map(|names| arguments::places_in_state(&model, &option("axes"), names));
-        let axes = axes.transpose()?.map(|places| places.map(|component| StateAxis::new(&model, component)));
+        let axes =
+            axes.transpose()?.map(|components| components.map(|component| StateAxis::new(&model, component)));
         let figure = self.figure.as_deref().map(|path| run::MotionPicture {
             path,
             layout: &self.layout,
@@ -259,13 +260,13 @@ fn write_file(
     path: &Path,
 ) -> Result<(Ending, Vec<String>), QueryError> {
     let mut file = NewFile::create(path)?;
-    let places = file.places().filter(|_| form == Form::Csv);
-    let keeper = places.as_ref().map(|[_, unfinished]| Keeper::new(state_of(unfinished)));
+    let paths = file.places().filter(|_| form == Form::Csv);
+    let keeper = paths.as_ref().map(|[_, unfinished]| Keeper::new(state_of(unfinished)));
     let RunOutcome { ending, state, drawn } = motion.write(form, figure, &mut file, keeper)?;
     // An unfinished file that was gone on from is left to be removed now.
     drop(motion);
     file.finish()?;
-    if let Some([target, _]) = places {
+    if let Some([target, _]) = paths {
         state.write(&state_of(&target))?;
     }
     Ok((ending, drawn))

@@ -123,8 +123,8 @@ pub(super) fn of_answer() -> Fields<StabilityResult> {
             "",
             "values of both parameters between neighbouring points of the grid of which one is stable and the other is not, although no boundary was followed between them",
             |result| {
-                let places = result.chart.rest.iter().flat_map(|rest| &rest.unresolved);
-                json::list(places.map(|point| json::numbers(point)))
+                let points = result.chart.rest.iter().flat_map(|rest| &rest.unresolved);
+                json::list(points.map(|point| json::numbers(point)))
             },
         ),
         Of::nested("rest_stable_at[].", &of_end(), |result| of_end().records(&result.rest_at_ends())),

@@ -176,8 +176,8 @@ fn parts(term: &str) -> Vec<&str> {
     let is_factor =
         |at: usize| bytes[at] == b'*' && bytes[at - 1] != b'*' && bytes.get(at + 1) != Some(&b'*');
     let is_place = |at: &usize| is_factor(*at) || bytes[..*at].ends_with(b", ");
-    let places = (1..bytes.len()).filter(|at| term.len() > COLUMNS - 8 && is_place(at));
-    let ends: Vec<usize> = places.chain([term.len()]).collect();
+    let breaks = (1..bytes.len()).filter(|at| term.len() > COLUMNS - 8 && is_place(at));
+    let ends: Vec<usize> = breaks.chain([term.len()]).collect();
     let starts = [0].into_iter().chain(ends.iter().copied());
     starts.zip(&ends).map(|(start, end)| &term[start..*end]).collect()
 }

@@ -118,13 +118,13 @@ fn taken(widths: &[usize]) -> usize {
 }
 
 /// The lines of a row: the cells side by side, each in as many lines as it needs.
-pub(super) fn lines(places: &[ColumnPlace], columns: &[Column], cells: &[String]) -> Vec<String> {
+pub(super) fn lines(widths: &[ColumnPlace], columns: &[Column], cells: &[String]) -> Vec<String> {
     let nothing = String::new();
     let cell = |column: &ColumnPlace| folded(cells.get(column.column).unwrap_or(&nothing), column.width);
-    let stacks: Vec<Vec<String>> = places.iter().map(cell).collect();
+    let stacks: Vec<Vec<String>> = widths.iter().map(cell).collect();
     let height = stacks.iter().map(Vec::len).max().unwrap_or(0);
     let line = |level: usize| {
-        let aligned = places.iter().zip(&stacks).map(|(column, stack)| {
+        let aligned = widths.iter().zip(&stacks).map(|(column, stack)| {
             let text = stack.get(level).map_or("", String::as_str);
             match columns[column.column].side {
                 Side::Left => padded(text, column.width),

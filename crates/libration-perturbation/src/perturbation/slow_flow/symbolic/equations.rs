@@ -175,10 +175,10 @@ impl Setting {
 
     /// Natural powers of the drive frequency and of the small parameters.
     fn is_polynomial(&self, acceleration: &Sum) -> bool {
-        let places = [Column::Drive, Column::Order].map(|column| self.letters.index(column));
+        let columns = [Column::Drive, Column::Order].map(|column| self.letters.index(column));
         acceleration
             .half_powers()
-            .all(|(powers, _)| places.iter().all(|&column| powers[column] >= 0 && powers[column] % 2 == 0))
+            .all(|(powers, _)| columns.iter().all(|&column| powers[column] >= 0 && powers[column] % 2 == 0))
     }
 
     /// W − (p/q)·ω0 for the first coordinate, the detuning of the natural frequency for another: σ, times the small parameter if there is one.
@@ -286,8 +286,9 @@ impl Setting {
 
     /// The degree of a term in displacements and velocities.
     fn degree(&self) -> impl Fn(&[i64]) -> i64 + use<> {
-        let places = [Column::Position, Column::Velocity].map(|column| self.letters.indices(column)).concat();
-        move |powers| places.iter().map(|&column| powers[column]).sum::<i64>() / 2
+        let columns =
+            [Column::Position, Column::Velocity].map(|column| self.letters.indices(column)).concat();
+        move |powers| columns.iter().map(|&column| powers[column]).sum::<i64>() / 2
     }
 
     /// The degrees of nonlinear terms without a small parameter, each with `true` if the sign of a displacement or velocity is a factor.

@@ -267,9 +267,8 @@ impl Reader<'_> {
     fn moving(&self) -> Vec<usize> {
         let columns =
             [Column::Drive, Column::Wave, Column::Imaginary, Column::PositionSign, Column::VelocitySign];
-        let mut places: Vec<usize> = columns.map(|column| self.letters.index(column)).to_vec();
-        places
-            .extend([Column::Position, Column::Velocity].map(|column| self.letters.indices(column)).concat());
-        places
+        let mut all: Vec<usize> = columns.map(|column| self.letters.index(column)).to_vec();
+        all.extend([Column::Position, Column::Velocity].map(|column| self.letters.indices(column)).concat());
+        all
     }
 }

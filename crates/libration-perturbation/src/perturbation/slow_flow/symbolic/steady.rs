@@ -125,8 +125,8 @@ impl SteadyEquations<'_> {
     /// The formulas that remain where the lowest order is not solved for cos mφ and sin mφ.
     fn without_inverse(&self, m: i64, rates: &[Sum; 2], matrix: &Coupling, coupling: i64) -> Steady {
         let letters = self.letters;
-        let places = [Column::Cosine, Column::Sine].map(|column| letters.index(column));
-        let is_linear = |powers: &[i64]| places.iter().map(|&column| powers[column]).sum::<i64>() <= 2;
+        let columns = [Column::Cosine, Column::Sine].map(|column| letters.index(column));
+        let is_linear = |powers: &[i64]| columns.iter().map(|&column| powers[column]).sum::<i64>() <= 2;
         let leading = rates.each_ref().map(|rate| letters.of_order(rate, coupling));
         let obstacle = match () {
             () if !leading.iter().all(|rate| rate.half_powers().all(|(powers, _)| is_linear(powers))) => {
@@ -149,10 +149,10 @@ impl SteadyEquations<'_> {
     /// Numerators of cos mφ and sin mφ with their denominator, without order, where the lowest order is the only one.
     fn quotients(&self, rates: &[Sum; 2], matrix: &Coupling) -> [Sum; 3] {
         let letters = self.letters;
-        let places = [Column::Cosine, Column::Sine].map(|column| letters.index(column));
+        let columns = [Column::Cosine, Column::Sine].map(|column| letters.index(column));
         let [p, q] = rates
             .each_ref()
-            .map(|rate| letters.part(rate, |powers| places.iter().all(|&column| powers[column] == 0)));
+            .map(|rate| letters.part(rate, |powers| columns.iter().all(|&column| powers[column] == 0)));
         let [[a, b], [c, d]] = matrix;
         let minor =
             |x: &Sum, u: &Sum, y: &Sum, v: &Sum| letters.subtract(&letters.times(x, u), &letters.times(y, v));
@@ -184,26 +184,26 @@ impl SteadyEquations<'_> {
     /// The lowest order in which the amplitude changes without the phase.
     fn growth(&self, rates: &[Sum; 2]) -> Option<i64> {
         let letters = self.letters;
-        let places = [Column::Cosine, Column::Sine].map(|column| letters.index(column));
-        let still = letters.part(&rates[0], |powers| places.iter().all(|&column| powers[column] == 0));
+        let columns = [Column::Cosine, Column::Sine].map(|column| letters.index(column));
+        let still = letters.part(&rates[0], |powers| columns.iter().all(|&column| powers[column] == 0));
         letters.lowest_order(&still)
     }
 
     /// The lowest order in which the phase occurs.
     fn coupling(&self, rates: &[Sum; 2]) -> Option<i64> {
         let letters = self.letters;
-        let places = [Column::Cosine, Column::Sine].map(|column| letters.index(column));
-        let coupled = |rate| letters.part(rate, |powers| places.iter().any(|&column| powers[column] != 0));
+        let columns = [Column::Cosine, Column::Sine].map(|column| letters.index(column));
+        let coupled = |rate| letters.part(rate, |powers| columns.iter().any(|&column| powers[column] != 0));
         rates.iter().filter_map(|rate| letters.lowest_order(&coupled(rate))).min()
     }
 
     /// The coefficients of cos mφ and sin mφ at the lowest order in which they occur.
     fn matrix(&self, rates: &[Sum; 2], coupling: i64) -> Coupling {
         let letters = self.letters;
-        let places = [Column::Cosine, Column::Sine].map(|column| letters.index(column));
+        let columns = [Column::Cosine, Column::Sine].map(|column| letters.index(column));
         let leading = |rate: &Sum, powers: [i64; 2]| {
             let such = letters.part(&letters.of_order(rate, coupling), |exponents| {
-                places.iter().zip(powers).all(|(&column, power)| exponents[column] == 2 * power)
+                columns.iter().zip(powers).all(|(&column, power)| exponents[column] == 2 * power)
             });
             let [cosine, sine] = [Column::Cosine, Column::Sine];
             let such = letters.coefficient(&such, cosine, powers[0]);

@@ -49,12 +49,12 @@ impl Simulate {
         let table = MotionTable::read(path, &system)?;
         let model = open_model(&system, &table)?;
         let mut settings: Vec<Setting> = vec![];
-        let places = setting::places(self, path, &system, &table, &mut settings)?;
-        let motions = list::listed(self, path, &table, &places, &settings)?;
+        let setting_indices = setting::places(self, path, &system, &table, &mut settings)?;
+        let motions = list::listed(self, path, &table, &setting_indices, &settings)?;
         self.check_size(&motions)?;
         let axes =
             self.axes.as_deref().map(|names| arguments::places_in_state(&model, &option("axes"), names));
-        let axes = axes.transpose()?.map(|places| places.map(|index| StateAxis::new(&model, index)));
+        let axes = axes.transpose()?.map(|components| components.map(|index| StateAxis::new(&model, index)));
         interrupt::listen()?;
         let followed = follow::all(&motions, self.figure.is_some());
         let done = motions.iter().zip(followed).filter_map(|(motion, followed)| Some((motion, followed?)));

@@ -32,7 +32,7 @@ pub(super) fn places(
     settings: &mut Vec<Setting>,
 ) -> Result<Vec<usize>, QueryError> {
     let mut indices: HashMap<Vec<&str>, usize> = HashMap::new();
-    let mut places = vec![];
+    let mut setting_indices = vec![];
     for row in &table.rows {
         let cells: Vec<(&str, &str)> = table.cells_of(row, Meaning::Parameter).collect();
         let texts = cells.iter().map(|(_, text)| *text).collect();
@@ -45,9 +45,9 @@ pub(super) fn places(
                 settings.len() - 1
             }
         };
-        places.push(index);
+        setting_indices.push(index);
     }
-    Ok(places)
+    Ok(setting_indices)
 }
 
 fn model(system: &GivenSystem<'_>, cells: &[(&str, &str)]) -> Result<Model, String> {

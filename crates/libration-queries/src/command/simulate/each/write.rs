@@ -51,8 +51,8 @@ impl SimulatedEach<'_> {
 
     fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
         let (of_number, of_time) = (of_number(), of_time());
-        let places = if self.has_names() { 2 } else { 1 };
-        let names = of_number.csv_names().into_iter().take(places).chain(of_time.csv_names());
+        let columns = if self.has_names() { 2 } else { 1 };
+        let names = of_number.csv_names().into_iter().take(columns).chain(of_time.csv_names());
         let names = names.chain(self.model.state_names()).chain(self.column_names());
         let event = self.with_events.then(|| EVENT.0.to_owned());
         csv::line(out, &names.chain(event).collect::<Vec<_>>())?;
@@ -60,7 +60,7 @@ impl SimulatedEach<'_> {
             let numbered = of_number.csv_cells(&NumberedMotion { answer: self, listed });
             for row in listed.motion.rows(&followed.solution, None) {
                 let (time, numbers, kind) = row.parts();
-                let mut cells = numbered[..places].to_vec();
+                let mut cells = numbered[..columns].to_vec();
                 cells.extend(of_time.csv_cells(&time));
                 cells.extend(numbers.concat().into_iter().map(csv::number));
                 cells.extend(self.with_events.then(|| kind.to_owned()));
