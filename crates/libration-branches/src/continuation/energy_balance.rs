@@ -92,7 +92,7 @@ impl EnergyBalance {
         let pairs = frequencies.iter().flat_map(|side| side.windows(2));
         let amplitudes = pairs.filter_map(|pair| {
             let ends = [pair[0], pair[1]]
-                .map(|(amplitude, frequency_there)| (amplitude, frequency_there - frequency));
+                .map(|(amplitude, natural_frequency)| (amplitude, natural_frequency - frequency));
             zero_between(ends, Tolerance::relative(CLOSE), |amplitude| self.frequency(amplitude) - frequency)
         });
         amplitudes.filter_map(|amplitude| Orbit::released(&self.free, amplitude, &Quiet).ok()).collect()

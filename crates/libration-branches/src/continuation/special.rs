@@ -275,8 +275,8 @@ impl Stretch<'_> {
         let steepest = a.tests.fold.abs().max(b.tests.fold.abs());
         let way = norm(&difference(a.place(), b.place(), self.units)) * self.units.last()?;
         let apart = (a.point.parameter - b.point.parameter).abs();
-        let of_corrector = parameter_error(&flatter.corrected, &flatter.direction, self.units)?;
-        let error = of_corrector + apart + steepest * way + f64::EPSILON * flatter.point.parameter.abs();
+        let perpendicular = parameter_error(&flatter.corrected, &flatter.direction, self.units)?;
+        let error = perpendicular + apart + steepest * way + f64::EPSILON * flatter.point.parameter.abs();
         let special =
             SpecialPoint { kind: SpecialKind::Fold, point: flatter.point.clone(), error, before: 0 };
         (test == Test::Fold).then(|| (0.5, Located { special, node: flatter.clone() }))

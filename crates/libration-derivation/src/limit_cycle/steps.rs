@@ -135,8 +135,8 @@ pub(super) fn one_power(question: &AveragingQuestion, cycle: &Cycle, n: usize) -
     let sine = polynomial(&order.forcing.first_harmonic(Wave::Sine), &Formula::from(&open));
     let amplitude = Statement::equal(&open, order.amplitude_below.clone());
     let frequency = Statement::equal(index("Ω", n), order.frequency.clone());
-    let amplitude_here = index("A", n);
-    let mut motion = vec![Formula::from(&amplitude_here) * cos(tau())];
+    let newest = index("A", n);
+    let mut motion = vec![Formula::from(&newest) * cos(tau())];
     if !order.forced.is_zero() {
         motion.push(series(&order.forced, "τ"));
     }
@@ -154,7 +154,7 @@ pub(super) fn one_power(question: &AveragingQuestion, cycle: &Cycle, n: usize) -
         .say("With this amplitude the part of {} vanishes for", [cos(tau())])
         .show(checked(question, n, frequency, CycleClaim::Frequency))
         .say("What is left forces, each harmonic divided by its own stiffness,", [])
-        .show(checked(question, n, motion, CycleClaim::Motion { open: amplitude_here }))
+        .show(checked(question, n, motion, CycleClaim::Motion { open: newest }))
 }
 
 fn amplitude_found(n: usize) -> &'static str {

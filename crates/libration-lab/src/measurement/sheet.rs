@@ -176,7 +176,7 @@ impl Sheet {
             let unit = stated.unwrap_or(first);
             units
                 .bring(index, &mut channel.cells, &mut channel.uncertainties, unit, stated.is_some())
-                .map_err(|units_found| MeasurementError::MixedUnits { column, found: units_found })?;
+                .map_err(|mixed| MeasurementError::MixedUnits { column, found: mixed })?;
             channel.heading.set_unit(unit);
         }
         Ok(())

@@ -35,11 +35,11 @@ pub(super) fn repetitions(equation: &Equation, frequency: &Expression, times: i3
         return 1;
     }
     let repeats = |n: i32| trials.hold(|ring, period| ring.over_integer(period, u64::try_from(n).ok()?));
-    PRIMES.iter().fold(1, |mut repeats_found, prime| {
-        while repeats_found <= i32::MAX / prime && repeats(repeats_found * prime) {
-            repeats_found *= prime;
+    PRIMES.iter().fold(1, |mut repetitions_so_far, prime| {
+        while repetitions_so_far <= i32::MAX / prime && repeats(repetitions_so_far * prime) {
+            repetitions_so_far *= prime;
         }
-        repeats_found
+        repetitions_so_far
     })
 }
 

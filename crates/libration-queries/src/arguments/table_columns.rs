@@ -104,7 +104,7 @@ impl ColumnsOption {
         }
         let mut given = match self.columns.len() {
             0 => self.given(&quantities)?,
-            given_number if (2..=N).contains(&given_number) => self.said(wanted, &quantities)?,
+            count if (2..=N).contains(&count) => self.said(wanted, &quantities)?,
             number => {
                 let reason = format!("{number} columns given: name 2 to {N}, as in 1,2,-,3");
                 return Err(QueryError::usage(option("columns"), reason));

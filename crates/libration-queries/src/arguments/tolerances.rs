@@ -16,16 +16,16 @@ pub(crate) struct Tolerances {
 /// Reads `1e-12`, `phi=1e-6`, or both.
 pub(crate) fn tolerances(text: &str) -> Result<Tolerances, String> {
     let mut usual = None;
-    let mut tolerances_of = vec![];
+    let mut separate = vec![];
     for item in text.split(',') {
         match item.split_once('=') {
-            Some((name, number)) => tolerances_of.push((plain_name(name), tolerance(number)?)),
+            Some((name, number)) => separate.push((plain_name(name), tolerance(number)?)),
             None if usual.is_none() => usual = Some(tolerance(item)?),
             None => return Err("two tolerances without a name: give one, and others as x=1e-6".to_owned()),
         }
     }
-    tolerances_of.sort_by(|(a, _), (b, _): &(String, f64)| a.cmp(b));
-    Ok(Tolerances { usual: usual.unwrap_or(Tolerances::USUAL), separate: tolerances_of })
+    separate.sort_by(|(a, _), (b, _): &(String, f64)| a.cmp(b));
+    Ok(Tolerances { usual: usual.unwrap_or(Tolerances::USUAL), separate })
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {

@@ -96,7 +96,7 @@ impl Sensitivities {
             return Err(SensitivityError::Twice((*twice).to_owned()));
         }
         let names: Vec<String> = [&parameters[..], &state_names].concat();
-        if let Some(name) = to.iter().find(|name| names.iter().all(|known_name| known_name != *name)) {
+        if let Some(name) = to.iter().find(|name| names.iter().all(|listed| listed != *name)) {
             return Err(SensitivityError::Unknown { name: (*name).to_owned(), known: names });
         }
         let (by_parameters, by_start): (Vec<&str>, Vec<&str>) =

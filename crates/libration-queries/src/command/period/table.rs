@@ -91,9 +91,9 @@ impl SwingsTable<'_> {
         let all = amplitudes.len();
         let texts = |piece: usize| {
             let indices = piece * PIECE..all.min((piece + 1) * PIECE);
-            let swings_in: Vec<(Amplitude, Option<f64>)> =
+            let amplitudes_of_piece: Vec<(Amplitude, Option<f64>)> =
                 indices.filter_map(|index| amplitudes.get(index)).collect();
-            let swings = Swing::all(&swings_in, pendulum);
+            let swings = Swing::all(&amplitudes_of_piece, pendulum);
             let estimates = estimates(&swings, formulas);
             swings.iter().zip(estimates).fold(vec![], |mut text, (swing, estimates)| {
                 text.extend_from_slice(if text.is_empty() { b"" } else { between });

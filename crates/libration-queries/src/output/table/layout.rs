@@ -50,12 +50,12 @@ impl TableLayout {
 
     /// Returns `true` if a row that was not seen before fits the widths.
     pub(super) fn holds(&self, columns: &[Column], cells: &[String]) -> bool {
-        let place_of_column = |column| self.blocks.iter().flatten().find(|block| block.column == column);
+        let block_of = |column| self.blocks.iter().flatten().find(|block| block.column == column);
         cells.iter().zip(columns).enumerate().all(|(index, (cell, column))| {
-            match (place_of_column(index), &column.side) {
+            match (block_of(index), &column.side) {
                 (None, _) => cell.is_empty(),
-                (Some(column_place), Side::Right) => columns_of(cell) <= column_place.width,
-                (Some(column_place), Side::Left) => longest_word(cell) <= column_place.width,
+                (Some(entry), Side::Right) => columns_of(cell) <= entry.width,
+                (Some(entry), Side::Left) => longest_word(cell) <= entry.width,
             }
         })
     }

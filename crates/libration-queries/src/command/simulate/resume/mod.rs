@@ -125,14 +125,14 @@ impl Earlier {
     fn of_csv(path: &Path, question: &RunParameters, times: &Times) -> Result<Self, ResumeError> {
         let state = State::read(&leftover::state_of(path))?;
         question.check(&state.question)?;
-        let mark_and_rows = state.mark.map(|mark| (mark.clone(), Rows::of_csv(path, &mark, question)));
-        if let Some((mark, rows)) = &mark_and_rows {
+        let kept = state.mark.map(|mark| (mark.clone(), Rows::of_csv(path, &mark, question)));
+        if let Some((mark, rows)) = &kept {
             let checksum = check_times(rows, mark, times)?;
             if checksum.value() != mark.checksum {
                 return Err(ResumeError::Changed { bytes: mark.bytes });
             }
         }
-        Ok(Self { question: state.question, kept: mark_and_rows, _leftover: None })
+        Ok(Self { question: state.question, kept, _leftover: None })
     }
 
     fn of_json(path: &Path, question: &RunParameters, times: &Times) -> Result<Self, Unusable> {
@@ -142,7 +142,7 @@ impl Earlier {
         check_schema(&document)?;
         let state = State::from_json(&document["resume"]).ok_or(ResumeError::NotInAnswer)?;
         question.check(&state.question).map_err(ResumeError::from)?;
-        let mark_and_rows = match state.mark {
+        let kept = match state.mark {
             None => None,
             Some(mark) => {
                 let rows = Rows::of_json(&document, &mark).ok_or(ResumeError::NotInAnswer)?;
@@ -150,7 +150,7 @@ impl Earlier {
                 Some((mark, rows))
             }
         };
-        Ok(Self { question: state.question, kept: mark_and_rows, _leftover: None })
+        Ok(Self { question: state.question, kept, _leftover: None })
     }
 
     /// The initial state, unless a different one is requested.
