@@ -29,9 +29,9 @@ impl Manual {
 
 fn unknown(words: &[String], outer: &Command) -> QueryError {
     let names: Vec<_> = outer.get_subcommands().map(Command::get_name).filter(|it| *it != "help").collect();
-    let known = if names.is_empty() { String::new() } else { format!(": {}", names.join(", ")) };
+    let available = if names.is_empty() { String::new() } else { format!(": {}", names.join(", ")) };
     QueryError::misuse(format!(
-        "there is no command `{}`; {} has these{known}",
+        "there is no command `{}`; {} has these{available}",
         words.join(" "),
         outer.get_name()
     ))

@@ -16,18 +16,18 @@ impl TerminalOptions {
     /// Removes the options from the words; options with invalid values stay, and are rejected when the query is parsed.
     pub(crate) fn take(words: &mut Vec<OsString>) -> Self {
         let mut options = Self::default();
-        let mut place = 0;
-        while place < words.len() && words[place] != "--" {
-            let taken = options.read(&words[place..]);
-            place += usize::from(taken == 0);
-            words.drain(place..place + taken);
+        let mut index = 0;
+        while index < words.len() && words[index] != "--" {
+            let taken = options.read(&words[index..]);
+            index += usize::from(taken == 0);
+            words.drain(index..index + taken);
         }
         options
     }
 
     /// Number of words, from the first on, that form an option.
     fn read(&mut self, words: &[OsString]) -> usize {
-        let text = |place: usize| words.get(place).and_then(|word| word.to_str()).unwrap_or_default();
+        let text = |index: usize| words.get(index).and_then(|word| word.to_str()).unwrap_or_default();
         let (value, length) = match text(0) {
             "-q" | "--quiet" => {
                 self.is_quiet = true;

@@ -51,9 +51,9 @@ impl Reading {
 
     /// The words with the option for the format that the extension of the file names.
     fn with_format_of_file(&self) -> Option<Vec<OsString>> {
-        let (place, option) = command::format_by_extension(self.matches.as_ref().ok()?)?;
+        let (index, option) = command::format_by_extension(self.matches.as_ref().ok()?)?;
         let mut words = self.words.clone();
-        words.insert(place, option);
+        words.insert(index, option);
         Some(words)
     }
 

@@ -95,8 +95,8 @@ impl Trials {
 
     /// Checks a statement for every choice of the symbols.
     pub fn compare_choices(&self, statement: Statement) -> Result<CheckedEquation, DerivationError> {
-        let place = ComparedAt::Choices { choices: self.trials.len() };
-        self.compare_within(CLOSE, (place, Against::OtherSide), statement)
+        let compared_at = ComparedAt::Choices { choices: self.trials.len() };
+        self.compare_within(CLOSE, (compared_at, Against::OtherSide), statement)
     }
 
     /// Defines a name in every swing.
@@ -159,7 +159,7 @@ impl Trials {
     fn compare_within(
         &self,
         tolerance: f64,
-        (place, against): (ComparedAt, Against),
+        (compared_at, against): (ComparedAt, Against),
         statement: Statement,
     ) -> Result<CheckedEquation, DerivationError> {
         let mut difference = 0.0_f64;
@@ -173,7 +173,7 @@ impl Trials {
         }
         let letters = self.trials[self.shown].letters(&statement);
         Ok(TrialComparison { value: shown, difference }
-            .equation(statement, place, against)
+            .equation(statement, compared_at, against)
             .with_letters(letters))
     }
 
@@ -204,8 +204,8 @@ impl Trials {
         }
         let comparison = worst.unwrap_or(TrialComparison { value: 0.0, difference: 0.0 });
         let letters = trial.letters(&statement);
-        let place = ComparedAt::Cases { index, first, last };
-        Ok(comparison.equation(statement, place, Against::OtherSide).with_letters(letters))
+        let compared_at = ComparedAt::Cases { index, first, last };
+        Ok(comparison.equation(statement, compared_at, Against::OtherSide).with_letters(letters))
     }
 
     /// The swings up to this amplitude in degrees, for formulas that converge slowly above it.
@@ -292,15 +292,15 @@ impl Trials {
 /// Checks that the last formula of a statement, a decimal, is the first one rounded.
 fn check_rounding(statement: &Statement, values: &Values<BigFloat>) -> Result<(), DerivationError> {
     let Some((_, Formula::Decimal(decimal))) = statement.rest.last() else { return Ok(()) };
-    let place = Formula::Decimal(Decimal { mantissa: "1".to_owned(), exponent: 0, unit: decimal.unit });
-    let place = decimal.last_place().map(|last| Formula::from(last) * place).unwrap_or_else(|| number(0));
+    let unit = Formula::Decimal(Decimal { mantissa: "1".to_owned(), exponent: 0, unit: decimal.unit });
+    let last_place = decimal.last_place().map(|last| Formula::from(last) * unit).unwrap_or_else(|| number(0));
     let exact = side(statement, &statement.first, &DIGITS, values)?;
     let printed = side(statement, &Formula::Decimal(decimal.clone()), &DIGITS, values)?;
-    let place = side(statement, &place, &DIGITS, values)?.to_f64();
+    let last_digit = side(statement, &last_place, &DIGITS, values)?.to_f64();
     // The double nearest to the value was rounded, and not the value itself.
     let slack = 2.0 * f64::EPSILON * exact.to_f64().abs();
     let difference = (exact - printed).to_f64().abs();
-    if difference <= 0.5 * place + slack {
+    if difference <= 0.5 * last_digit + slack {
         Ok(())
     } else {
         Err(failed(statement, format!("the value printed is off by {difference:e}")))
@@ -434,8 +434,11 @@ impl TrialComparison {
         Self { difference: self.difference.max(other.difference), ..self }
     }
 
-    fn equation(self, statement: Statement, place: ComparedAt, against: Against) -> CheckedEquation {
+    fn equation(self, statement: Statement, compared_at: ComparedAt, against: Against) -> CheckedEquation {
         let value = Decimal::rounded(self.value, SHOWN, DecimalUnit::One);
-        CheckedEquation::new(statement, Check::Digits { place, value, difference: self.difference, against })
+        CheckedEquation::new(
+            statement,
+            Check::Digits { compared_at, value, difference: self.difference, against },
+        )
     }
 }

@@ -123,7 +123,7 @@ impl<'a> Assembler<'a> {
         let set = self.set;
         self.now = number;
         match *step {
-            Arithmetic::Place(place) => self.homes[number] = Some(Home::Place(place)),
+            Arithmetic::Place(slot) => self.homes[number] = Some(Home::Place(slot)),
             Arithmetic::Argument(argument) => self.homes[number] = Some(Home::Argument(argument)),
             Arithmetic::Number(value) => self.homes[number] = Some(self.number(value)),
             Arithmetic::Negate(a) => self.negate(number, a)?,
@@ -138,12 +138,12 @@ impl<'a> Assembler<'a> {
             Arithmetic::Subtract(a, b) => self.combine(set.subtract, number, [a, b])?,
             Arithmetic::Divide(a, b) => self.combine(set.divide, number, [a, b])?,
             Arithmetic::MultiplyAdd(a, b, c) => self.multiply_add(number, [a, b], c)?,
-            Arithmetic::Keep { value, place } => {
-                let (register, home) = (self.in_register(value, &[value])?, Home::Place(place));
+            Arithmetic::Keep { value, place: slot } => {
+                let (register, home) = (self.in_register(value, &[value])?, Home::Place(slot));
                 let address = self.address(home)?;
                 self.encode(Instruction::with2(set.store, address, register))?;
                 self.homes[value] = Some(home);
-                self.kept[place] = Some(value);
+                self.kept[slot] = Some(value);
                 self.release(number, &[value]);
             }
             // Written with the first inner product of its group.
@@ -175,7 +175,7 @@ impl Assembler<'_> {
 
     fn address(&self, home: Home) -> Result<MemoryOperand, NoCode> {
         let (base, offset) = match home {
-            Home::Place(place) => self.windows.around(place * self.stride),
+            Home::Place(slot) => self.windows.around(slot * self.stride),
             Home::Argument(argument) => (Register::RSI, i64::try_from(argument * self.stride).ok()),
             Home::Number(number) => (Register::RDX, i64::try_from(number * self.set.bytes()).ok()),
             Home::Scratch(number) => self.windows.in_scratch(number * size_of::<f64>()),

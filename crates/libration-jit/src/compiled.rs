@@ -77,10 +77,10 @@ mod tests {
             let mut expected = start.clone();
             line().interpret(&mut expected, &[], lanes);
             for set in InstructionSet::for_lanes(lanes) {
-                let mut found = start.clone();
+                let mut results = start.clone();
                 let code = Compiled::in_set(&line(), lanes, set).expect("registers for this line");
-                code.run(&mut found, &[], &mut Aligned::default());
-                assert_eq!(found, expected, "{set:?}");
+                code.run(&mut results, &[], &mut Aligned::default());
+                assert_eq!(results, expected, "{set:?}");
             }
         }
     }

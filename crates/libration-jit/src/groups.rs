@@ -19,17 +19,16 @@ pub(crate) const WIDEST: usize = 8;
 pub(crate) fn groups(line: &StraightLine, most: usize) -> HashMap<usize, Group> {
     let mut kept = vec![None; line.places()];
     for (number, step) in line.steps().iter().enumerate() {
-        if let Arithmetic::Keep { place, .. } = *step {
-            kept[place] = Some(number);
+        if let Arithmetic::Keep { place: slot, .. } = *step {
+            kept[slot] = Some(number);
         }
     }
     let mut groups: HashMap<usize, Group> = HashMap::new();
     let mut open: HashMap<usize, usize> = HashMap::new();
     for (number, step) in line.steps().iter().enumerate() {
         let Arithmetic::InnerProduct { count, .. } = *step else { continue };
-        let known = step.read().filter_map(|place| kept[place]).max();
-        let joined =
-            open.get(&count).and_then(|first| groups.get_mut(first).filter(|_| known < Some(*first)));
+        let last = step.read().filter_map(|slot| kept[slot]).max();
+        let joined = open.get(&count).and_then(|first| groups.get_mut(first).filter(|_| last < Some(*first)));
         match joined.filter(|group| group.members.len() < most) {
             Some(group) => group.members.push(number),
             None => {

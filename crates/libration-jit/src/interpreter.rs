@@ -13,7 +13,7 @@ impl StraightLine {
         for lane in 0..lanes {
             for (number, step) in self.steps().iter().enumerate() {
                 values[number] = match *step {
-                    Arithmetic::Place(place) => places[place * lanes + lane],
+                    Arithmetic::Place(slot) => places[slot * lanes + lane],
                     Arithmetic::Argument(argument) => arguments[argument * lanes + lane],
                     Arithmetic::Number(number) => number,
                     Arithmetic::Negate(a) => -values[a],
@@ -24,12 +24,12 @@ impl StraightLine {
                     Arithmetic::MultiplyAdd(a, b, c) => values[a].mul_add(values[b], values[c]),
                     Arithmetic::InnerProduct { a, b, count } => {
                         let at = |first: usize| -> Vec<f64> {
-                            (first..first + count).map(|place| places[place * lanes + lane]).collect()
+                            (first..first + count).map(|slot| places[slot * lanes + lane]).collect()
                         };
                         inner_product(&Numbers, &at(a), &at(b))
                     }
-                    Arithmetic::Keep { value, place } => {
-                        places[place * lanes + lane] = values[value];
+                    Arithmetic::Keep { value, place: slot } => {
+                        places[slot * lanes + lane] = values[value];
                         0.0
                     }
                 };

@@ -98,26 +98,26 @@ impl StraightLine {
         let (mut kept, mut read) = (vec![false; places], vec![false; places]);
         for (number, step) in steps.iter().enumerate() {
             let is_known = |operand: usize| match steps[..number].get(operand) {
-                Some(Arithmetic::Place(place)) => !kept[*place],
+                Some(Arithmetic::Place(slot)) => !kept[*slot],
                 Some(Arithmetic::Keep { .. }) | None => false,
                 Some(_) => true,
             };
-            let known = step.operands().all(is_known);
+            let are_known = step.operands().all(is_known);
             let is_there = match *step {
-                Arithmetic::Place(place) => kept.get(place).is_some_and(|kept| !kept),
-                Arithmetic::Keep { place, .. } => {
-                    kept.get_mut(place).is_some_and(|kept| !std::mem::replace(kept, true)) && !read[place]
+                Arithmetic::Place(slot) => kept.get(slot).is_some_and(|kept| !kept),
+                Arithmetic::Keep { place: slot, .. } => {
+                    kept.get_mut(slot).is_some_and(|kept| !std::mem::replace(kept, true)) && !read[slot]
                 }
                 Arithmetic::InnerProduct { a, b, count } => {
                     let is_inside = |first: usize| first.checked_add(count).is_some_and(|end| end <= places);
                     let are_inside = is_inside(a) && is_inside(b);
-                    step.read().filter(|_| are_inside).for_each(|place| read[place] = true);
+                    step.read().filter(|_| are_inside).for_each(|slot| read[slot] = true);
                     are_inside
                 }
                 Arithmetic::Argument(argument) => argument < arguments,
                 _ => true,
             };
-            if !(known && is_there) {
+            if !(are_known && is_there) {
                 return Err(OutOfOrder { step: number });
             }
         }

@@ -14,15 +14,15 @@ pub(crate) fn written_out(line: &StraightLine) -> Result<StraightLine, OutOfOrde
             Arithmetic::InnerProduct { a, b, count } => {
                 let mut values = |first: usize| -> Vec<usize> {
                     let value =
-                        |place: usize| *at[place].get_or_insert_with(|| steps.push(Arithmetic::Place(place)));
+                        |slot: usize| *at[slot].get_or_insert_with(|| steps.push(Arithmetic::Place(slot)));
                     (first..first + count).map(value).collect()
                 };
                 inner_product(&steps, &values(a), &values(b))
             }
             other => steps.push(with_operands(other, |operand| numbers[operand])),
         };
-        if let Arithmetic::Keep { value, place } = *step {
-            at[place] = Some(numbers[value]);
+        if let Arithmetic::Keep { value, place: slot } = *step {
+            at[slot] = Some(numbers[value]);
         }
         numbers.push(new);
     }
@@ -42,7 +42,7 @@ fn with_operands(step: Arithmetic, other: impl Fn(usize) -> usize) -> Arithmetic
         Arithmetic::Multiply(a, b) => Arithmetic::Multiply(other(a), other(b)),
         Arithmetic::Divide(a, b) => Arithmetic::Divide(other(a), other(b)),
         Arithmetic::MultiplyAdd(a, b, c) => Arithmetic::MultiplyAdd(other(a), other(b), other(c)),
-        Arithmetic::Keep { value, place } => Arithmetic::Keep { value: other(value), place },
+        Arithmetic::Keep { value, place: slot } => Arithmetic::Keep { value: other(value), place: slot },
     }
 }
 
@@ -51,7 +51,7 @@ fn with_operands(step: Arithmetic, other: impl Fn(usize) -> usize) -> Arithmetic
 pub(crate) fn inner_product_steps(count: usize) -> (Vec<Arithmetic>, usize) {
     let steps = Steps::default();
     let row = |first: usize| -> Vec<usize> {
-        (first..first + count).map(|place| steps.push(Arithmetic::Place(place))).collect()
+        (first..first + count).map(|slot| steps.push(Arithmetic::Place(slot))).collect()
     };
     let [a, b] = [row(0), row(count)];
     let result = inner_product(&steps, &a, &b);

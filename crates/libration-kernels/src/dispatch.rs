@@ -86,11 +86,11 @@ pub fn fetch_ahead(block: &[f64]) {
     #[cfg(target_arch = "x86_64")]
     for line in block.chunks(LINE) {
         use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
-        let place = line.as_ptr().wrapping_add(AHEAD);
+        let address = line.as_ptr().wrapping_add(AHEAD);
         // SAFETY: a hint, which is allowed for every address and reads nothing.
         #[expect(unsafe_code, reason = "a hint to the processor")]
         unsafe {
-            _mm_prefetch::<_MM_HINT_T0>(place.cast());
+            _mm_prefetch::<_MM_HINT_T0>(address.cast());
         }
     }
 }

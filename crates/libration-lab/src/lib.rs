@@ -202,7 +202,7 @@ pub mod internals {
                 }
                 pub mod worksheet {
                     pub use crate::measurement::container::xlsx::worksheet::{
-                        MOST_COLUMNS, MOST_ROWS, place,
+                        MOST_COLUMNS, MOST_ROWS, position_of,
                     };
                 }
             }

@@ -43,10 +43,10 @@ pub fn on_cores<T: Sync, R: Send>(
                 };
                 let watch = Watch::new(&ask);
                 loop {
-                    let place = next.fetch_add(1, Ordering::Relaxed);
-                    let Some(item) = items.get(place) else { break };
+                    let index = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(item) = items.get(index) else { break };
                     let result = work(item, &watch);
-                    done.lock().expect("no piece of work panics").push((place, result));
+                    done.lock().expect("no piece of work panics").push((index, result));
                 }
             });
         }
@@ -57,6 +57,6 @@ pub fn on_cores<T: Sync, R: Send>(
         }
     });
     let mut done = done.into_inner().expect("no piece of work panics");
-    done.sort_by_key(|(place, _)| *place);
+    done.sort_by_key(|(index, _)| *index);
     done.into_iter().map(|(_, result)| result).collect()
 }

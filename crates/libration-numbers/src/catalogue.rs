@@ -63,8 +63,8 @@ pub fn by_key<'c, E: Named + 'c>(
     entries: impl Iterator<Item = &'c E> + Clone,
     key: &str,
 ) -> Result<&'c E, UnknownKey> {
-    let found = entries.clone().find(|entry| entry.keys().any(|known| known == key));
-    found.ok_or_else(|| UnknownKey {
+    let match_of_key = entries.clone().find(|entry| entry.keys().any(|name| name == key));
+    match_of_key.ok_or_else(|| UnknownKey {
         kind: E::KIND,
         key: excerpt(key),
         near: nearest(&excerpt(key), entries.clone().flat_map(E::keys)),

@@ -54,8 +54,8 @@ pub(crate) fn expand(
     let gauge: Gauge = gauge.parse().map_err(refusal::<Refused>)?;
     let oscillator = question.oscillator()?;
     let progress = CallProgress::new(progress);
-    let found = py.detach(|| expanded(oscillator, order, &gauge, &progress))?;
-    Ok((found.map(NativeExpansion), progress.stopped_by()))
+    let outcome = py.detach(|| expanded(oscillator, order, &gauge, &progress))?;
+    Ok((outcome.map(NativeExpansion), progress.stopped_by()))
 }
 
 impl ExpansionArguments {
@@ -99,7 +99,7 @@ fn expanded(
             }
             let expansion = match perturbation::expand(&oscillator, order, gauge, progress) {
                 Ok(expansion) => Some(Box::new(expansion)),
-                Err(ExpansionError::Interrupted { known }) => known,
+                Err(ExpansionError::Interrupted { known: partial }) => partial,
                 Err(error) => return Err(refusal::<Refused>(error)),
             };
             let oscillator = Box::new(oscillator);
@@ -108,7 +108,7 @@ fn expanded(
         NumbersOrLetters::Letters(oscillator) => {
             let expansion = match expand_symbolically(&oscillator, order, gauge, progress) {
                 Ok(expansion) => Some(Box::new(expansion)),
-                Err(SymbolicExpansionError::Interrupted { known }) => known,
+                Err(SymbolicExpansionError::Interrupted { known: partial }) => partial,
                 Err(error) => return Err(refusal::<Refused>(error)),
             };
             let equation = oscillator.equation().clone();
@@ -126,7 +126,7 @@ fn with_constants(
 ) -> PyResult<Option<SymbolicExpansion>> {
     match expand_with_constants(oscillator, order, gauge, progress) {
         Err(SymbolicExpansionError::Interrupted { .. }) => Ok(None),
-        found => found.map_err(refusal::<Refused>),
+        outcome => outcome.map_err(refusal::<Refused>),
     }
 }
 

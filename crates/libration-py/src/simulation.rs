@@ -160,14 +160,18 @@ struct Followed<'a> {
 impl Errors {
     fn new(errors: &SampledErrors<'_>, solution: &Solution) -> Self {
         let numbers = solution.end.state.len();
-        let known = |found: Option<&MomentErrors>| {
+        let or_unknown = |moment_errors: Option<&MomentErrors>| {
             let unknown =
                 || MomentErrors { time: f64::NAN, state: vec![f64::NAN; numbers], formulas: vec![] };
-            found.cloned().unwrap_or_else(unknown)
+            moment_errors.cloned().unwrap_or_else(unknown)
         };
         Self {
-            samples: solution.samples.iter().map(|sample| known(errors.of_sample(sample.time))).collect(),
-            events: solution.events.iter().map(|event| known(errors.of_event(event))).collect(),
+            samples: solution
+                .samples
+                .iter()
+                .map(|sample| or_unknown(errors.of_sample(sample.time)))
+                .collect(),
+            events: solution.events.iter().map(|event| or_unknown(errors.of_event(event))).collect(),
             determined_until: errors.worse().and_then(StateErrors::determined_until),
         }
     }
@@ -275,10 +279,10 @@ impl NativeSimulation {
         times: PyReadonlyArray1<'py, f64>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let times = times.as_slice()?;
-        let found = py.detach(|| {
+        let rows = py.detach(|| {
             times.iter().map(|time| self.state_at(*time).ok_or(*time)).collect::<Result<Vec<_>, _>>()
         });
-        let states = found.map_err(|time| {
+        let states = rows.map_err(|time| {
             let [from, to] = self.ends();
             refusal::<SimulationError>(format!(
                 "t = {time:?} is beyond the motion, which is known from {from:?} to {to:?}"

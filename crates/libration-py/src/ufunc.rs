@@ -52,7 +52,7 @@ pub(crate) fn ufunc<'py, const N: usize, const M: usize>(
     // and documentation live as long as the process; the numbers are correct: two loops, each with a
     // type for every input and output. The result is a new reference, or null with an exception set.
     let ufunc = unsafe {
-        let found = PY_UFUNC_API.PyUFunc_FromFuncAndData(
+        let pointer = PY_UFUNC_API.PyUFunc_FromFuncAndData(
             py,
             loops.as_mut_ptr(),
             data.as_mut_ptr(),
@@ -65,7 +65,7 @@ pub(crate) fn ufunc<'py, const N: usize, const M: usize>(
             documentation.as_ptr(),
             0,
         );
-        Bound::from_owned_ptr_or_err(py, found)?
+        Bound::from_owned_ptr_or_err(py, pointer)?
     };
     choose_types(&ufunc);
     Ok(ufunc)
@@ -229,7 +229,7 @@ fn has_new_nan<const N: usize, const M: usize, const SIZE: usize>(
 ) -> bool {
     // In the usual case there is no NaN, which one pass without branches detects.
     let no_number =
-        |block: &[f64; SIZE]| block[..length].iter().fold(false, |found, value| found | value.is_nan());
+        |block: &[f64; SIZE]| block[..length].iter().fold(false, |has_nan, value| has_nan | value.is_nan());
     if !outputs.iter().any(no_number) {
         return false;
     }

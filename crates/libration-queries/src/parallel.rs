@@ -24,9 +24,9 @@ const HAS_THREADS: bool = cfg!(not(target_family = "wasm"));
 pub fn map<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<R> {
     let done = Mutex::new(Vec::with_capacity(items.len()));
     locked(&done).resize_with(items.len(), || None);
-    on_all_cores(items.len(), &|place| {
-        let result = work(&items[place]);
-        locked(&done)[place] = Some(result);
+    on_all_cores(items.len(), &|index| {
+        let result = work(&items[index]);
+        locked(&done)[index] = Some(result);
     });
     let done = done.into_inner().expect("no piece of work panics");
     done.into_iter().map(|result| result.expect("every piece is done")).collect()
@@ -37,41 +37,41 @@ fn locked<R>(done: &Mutex<R>) -> MutexGuard<'_, R> {
     done.lock().expect("no piece of work panics")
 }
 
-/// Passes on the results for `places` indices in their order, while the next ones are computed on all cores, until passing one on fails or the run
+/// Passes on the results for `count` indices in their order, while the next ones are computed on all cores, until passing one on fails or the run
 /// is cancelled. Cores are at most a few indices ahead.
 pub fn in_order<R: Send, E>(
-    places: usize,
+    count: usize,
     work: impl Fn(usize) -> R + Sync,
     mut hand_on: impl FnMut(usize, R) -> Result<(), E>,
 ) -> Result<(), E> {
     let (made, mut failure) = (Mutex::new(Vec::new()), None);
     make_in_order(
-        places,
-        &|place| {
-            let result = work(place);
-            locked(&made).push((place, result));
+        count,
+        &|index| {
+            let result = work(index);
+            locked(&made).push((index, result));
         },
-        &mut |place| {
+        &mut |index| {
             let mut made = locked(&made);
-            let index = made.iter().position(|(made, _)| *made == place).expect("the place is made");
-            let (_, result) = made.swap_remove(index);
+            let position = made.iter().position(|(made, _)| *made == index).expect("the index is made");
+            let (_, result) = made.swap_remove(position);
             drop(made);
-            failure = hand_on(place, result).err();
+            failure = hand_on(index, result).err();
             failure.is_none()
         },
     );
     failure.map_or(Ok(()), Err)
 }
 
-/// Computes `places` indices on all cores and reports each in its order, until `hand_on` returns `false` or the run is cancelled.
-fn make_in_order(places: usize, make: &(dyn Fn(usize) + Sync), hand_on: &mut dyn FnMut(usize) -> bool) {
+/// Computes `count` indices on all cores and reports each in its order, until `hand_on` returns `false` or the run is cancelled.
+fn make_in_order(count: usize, make: &(dyn Fn(usize) + Sync), hand_on: &mut dyn FnMut(usize) -> bool) {
     if !HAS_THREADS {
-        for place in 0..places {
+        for index in 0..count {
             if interrupt::is_cancelled() {
                 break;
             }
-            make(place);
-            if !hand_on(place) {
+            make(index);
+            if !hand_on(index) {
                 break;
             }
         }
@@ -88,30 +88,30 @@ fn make_in_order(places: usize, make: &(dyn Fn(usize) + Sync), hand_on: &mut dyn
         for _ in 0..cores {
             let (finished, to_do, call) = (finished.clone(), &to_do, &call);
             scope.spawn(move || {
-                while let Some(place) = next_order(to_do) {
-                    let result = catch_unwind(AssertUnwindSafe(|| call::within(call, || make(place))));
-                    if finished.send((place, result)).is_err() {
+                while let Some(index) = next_order(to_do) {
+                    let result = catch_unwind(AssertUnwindSafe(|| call::within(call, || make(index))));
+                    if finished.send((index, result)).is_err() {
                         break;
                     }
                 }
             });
         }
-        let mut ordered = 0..places;
+        let mut ordered = 0..count;
         let mut ahead = BTreeSet::new();
-        for place in 0..places {
-            for order in ordered.by_ref().take(if place == 0 { AHEAD * cores } else { 1 }) {
+        for index in 0..count {
+            for order in ordered.by_ref().take(if index == 0 { AHEAD * cores } else { 1 }) {
                 orders.send(order).expect("the cores wait for orders");
             }
             if interrupt::is_cancelled() {
                 break;
             }
-            while !ahead.contains(&place) {
-                let (place, result) = made.recv().expect("what is ordered is finished");
+            while !ahead.contains(&index) {
+                let (ready, result) = made.recv().expect("what is ordered is finished");
                 result.unwrap_or_else(|panic| resume_unwind(panic));
-                ahead.insert(place);
+                ahead.insert(ready);
             }
-            ahead.remove(&place);
-            if !hand_on(place) {
+            ahead.remove(&index);
+            if !hand_on(index) {
                 break;
             }
         }
@@ -182,8 +182,8 @@ fn on_all_cores(pieces: usize, work: &(dyn Fn(usize) + Sync)) {
     let cores = available_parallelism().map_or(1, usize::from).min(pieces);
     let (next, call) = (AtomicUsize::new(0), call::current());
     let until_done = || {
-        while let Some(place) = take(pieces, &next) {
-            work(place);
+        while let Some(index) = take(pieces, &next) {
+            work(index);
         }
     };
     if !HAS_THREADS {
@@ -197,7 +197,7 @@ fn on_all_cores(pieces: usize, work: &(dyn Fn(usize) + Sync)) {
 }
 
 fn take(pieces: usize, next: &AtomicUsize) -> Option<usize> {
-    Some(next.fetch_add(1, Ordering::Relaxed)).filter(|place| *place < pieces)
+    Some(next.fetch_add(1, Ordering::Relaxed)).filter(|index| *index < pieces)
 }
 
 thread_local! {

@@ -68,7 +68,7 @@ pub fn questions() -> Vec<Question> {
 
 /// The name of the argument whose value has this name in the help, in the query of a command line.
 pub(crate) fn argument_name(words: &[OsString], value: &str) -> Option<String> {
-    let word = |place: usize| words.get(place).and_then(|word| word.to_str()).unwrap_or_default();
+    let word = |index: usize| words.get(index).and_then(|word| word.to_str()).unwrap_or_default();
     let (one, two) = (word(0).to_owned(), format!("{} {}", word(0), word(1)));
     let mut command = command([]);
     command.build();

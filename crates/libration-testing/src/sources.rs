@@ -4,14 +4,14 @@ use std::path::{Path, PathBuf};
 
 /// The files in a folder and those below it that contain tests.
 pub fn tests_in(folder: &Path) -> Vec<PathBuf> {
-    let mut found = Vec::new();
+    let mut paths = Vec::new();
     for entry in folder.read_dir().unwrap() {
         let path = entry.unwrap().path();
         if path.is_dir() {
-            found.extend(tests_in(&path));
+            paths.extend(tests_in(&path));
         } else if std::fs::read(&path).unwrap().windows(7).any(|bytes| bytes == b"#[test]") {
-            found.push(path);
+            paths.push(path);
         }
     }
-    found
+    paths
 }

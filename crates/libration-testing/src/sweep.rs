@@ -24,19 +24,19 @@ pub fn number<T>(usual: T, full: T) -> T {
 ///
 /// # Panics
 /// `LIBRATION_SEED` is not a decimal number below 2⁶⁴.
-pub fn seed(own: u64) -> u64 {
+pub fn seed(base: u64) -> u64 {
     let Ok(text) = std::env::var("LIBRATION_SEED") else {
-        eprintln!("seed {own}, the test's own");
-        return own;
+        eprintln!("seed {base}, the test's own");
+        return base;
     };
     let given: u64 = text.parse().expect("LIBRATION_SEED is a decimal number below 2^64");
-    eprintln!("seed {own} mixed with LIBRATION_SEED={given}");
-    mixed(own, given)
+    eprintln!("seed {base} mixed with LIBRATION_SEED={given}");
+    mixed(base, given)
 }
 
 /// The two numbers mixed by the last steps of splitmix64, as in `random`: a change of any bit of either changes half of the bits.
-fn mixed(own: u64, given: u64) -> u64 {
-    let z = own.wrapping_add(given.wrapping_mul(0x9e37_79b9_7f4a_7c15)) ^ given.rotate_left(32);
+fn mixed(base: u64, given: u64) -> u64 {
+    let z = base.wrapping_add(given.wrapping_mul(0x9e37_79b9_7f4a_7c15)) ^ given.rotate_left(32);
     let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     z ^ (z >> 31)
@@ -55,8 +55,8 @@ pub fn part_and<T>(
 ) -> Vec<T> {
     let cases: Vec<T> = cases.into_iter().collect();
     let (full, count) = (is_full(), cases.len());
-    let is_run = |(place, case): &(usize, T)| {
-        full || place.is_multiple_of(step) || place + 1 == count || is_at_seam(case)
+    let is_run = |(index, case): &(usize, T)| {
+        full || index.is_multiple_of(step) || index + 1 == count || is_at_seam(case)
     };
     cases.into_iter().enumerate().filter(is_run).map(|(_, case)| case).collect()
 }
@@ -78,13 +78,13 @@ impl Limits {
     ///
     /// # Panics
     /// The number is outside the limits.
-    pub fn check(&self, found: f64, what: &str) {
+    pub fn check(&self, number: f64, what: &str) {
         let range = match (is_full(), std::env::var("LIBRATION_SEED").is_ok()) {
             (false, _) => &self.usual,
             (true, true) => &self.full,
             (true, false) => &self.own,
         };
-        eprintln!("{what}: {found} in {range:?}");
-        assert!(range.contains(&found), "{what}: {found} is not in {range:?}");
+        eprintln!("{what}: {number} in {range:?}");
+        assert!(range.contains(&number), "{what}: {number} is not in {range:?}");
     }
 }

@@ -74,12 +74,12 @@ impl Packed {
     }
 
     /// The directory entry for a local header at this position.
-    pub fn entry(&self, place: u32) -> Vec<u8> {
+    pub fn entry(&self, position: u32) -> Vec<u8> {
         let extra = u16::try_from(self.extra.len()).unwrap().to_le_bytes();
         let (made_by, common) = ([20, 0], self.common(false));
         let before = [&b"PK\x01\x02"[..], &made_by[..], &common, &self.name_size(), &extra].concat();
         // No comment, first disk, no attributes.
-        [&before[..], &[0; 10], &place.to_le_bytes(), &self.name, &self.extra].concat()
+        [&before[..], &[0; 10], &position.to_le_bytes(), &self.name, &self.extra].concat()
     }
 }
 
@@ -95,10 +95,10 @@ pub fn archive(files: &[Packed]) -> Vec<u8> {
 
 /// Local files followed by a directory that states `count` entries.
 pub fn with_directory(files: Vec<u8>, directory: &[u8], count: usize) -> Vec<u8> {
-    let place = u32::try_from(files.len()).unwrap().to_le_bytes();
+    let offset = u32::try_from(files.len()).unwrap().to_le_bytes();
     let size = u32::try_from(directory.len()).unwrap().to_le_bytes();
     let count = u16::try_from(count).unwrap().to_le_bytes();
-    let end = [&b"PK\x05\x06"[..], &[0; 4][..], &count, &count, &size, &place, &[0; 2]].concat();
+    let end = [&b"PK\x05\x06"[..], &[0; 4][..], &count, &count, &size, &offset, &[0; 2]].concat();
     [&files[..], directory, &end].concat()
 }
 

@@ -40,7 +40,7 @@ impl Branch {
         let changes =
             |pair: &[BranchPoint]| pair.iter().all(is_known) && pair[0].stability != pair[1].stability;
         let pairs = (1..).zip(self.points.windows(2)).filter(|(_, pair)| changes(pair));
-        let unexplained = pairs.filter(|(place, _)| self.special.iter().all(|it| it.before != *place));
+        let unexplained = pairs.filter(|(number, _)| self.special.iter().all(|it| it.before != *number));
         unexplained.map(|(_, pair)| between_points(&pair[0], &pair[1])).collect()
     }
 }
@@ -238,9 +238,9 @@ impl<'a> Walk<'a> {
     fn step(&mut self, length: &mut f64) -> Option<Ending> {
         let width = self.limits.range[1] - self.limits.range[0];
         let units = self.corrector.family.units(&self.at().point, self.largest, width);
-        let found = self.next(&units, *length);
-        let is_lost = found.is_none();
-        let next = found.and_then(|(next, turn, off)| {
+        let candidate = self.next(&units, *length);
+        let is_lost = candidate.is_none();
+        let next = candidate.and_then(|(next, turn, off)| {
             let stretch = Stretch { corrector: &self.corrector, ends: [self.at(), &next], units: &units };
             if *length > SHORT && (stretch.may_meet_other_branch() || stretch.may_cross_other_branch()) {
                 return None;
@@ -424,12 +424,12 @@ impl<'a> Walk<'a> {
                 return Some(Ending::BranchPoint);
             }
         }
-        let (found, are_all) = stretch.specials();
+        let (specials, are_all) = stretch.specials();
         if !are_all {
             self.leave_unresolved(&next);
         }
         let before = self.nodes.len();
-        self.special.extend(found.into_iter().map(|it| (SpecialPoint { before, ..it.special }, it.node)));
+        self.special.extend(specials.into_iter().map(|it| (SpecialPoint { before, ..it.special }, it.node)));
         self.largest = self.largest.max(self.corrector.family.largest_swing(&next.point));
         self.milestones.push(self.milestone(&next, self.last));
         self.nodes.push(next);

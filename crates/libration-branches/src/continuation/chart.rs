@@ -291,9 +291,9 @@ impl Survey<'_> {
 
     fn curve(&self, seed: &Seed) -> Option<SpecialCurve> {
         let singular = Singular { family: self.family, space: seed.space, test: test_of(seed)?, rest: None };
-        let place: Vec<f64> =
+        let unknowns: Vec<f64> =
             seed.point.state.iter().copied().chain([seed.point.parameter, seed.second]).collect();
-        let start = (&place[..], &seed.point);
+        let start = (&unknowns[..], &seed.point);
         Some(Trace::new(singular, self.ranges, self.options.most_points, start)?.followed(seed.kind))
     }
 

@@ -38,15 +38,15 @@ pub(super) struct Corrector<'a> {
 impl Corrector<'_> {
     /// The motion of the space nearest to a guess, in the plane perpendicular to a direction given in scaled units.
     pub(super) fn corrected(&self, guess: &[f64], across: &[f64], units: &[f64]) -> Option<Corrected> {
-        let mut place = guess.to_vec();
+        let mut unknowns = guess.to_vec();
         let (mut first, mut before) = (0.0, f64::INFINITY);
         let mut last: Option<Image> = None;
         for round in 0..MOST_ROUNDS {
-            let image = self.image(&place)?;
-            if round == 0 && is_rounding(&image, &place, units) {
-                return Some(Corrected { place, image, first, map_slope: 1.0, stale: 0.0 });
+            let image = self.image(&unknowns)?;
+            if round == 0 && is_rounding(&image, &unknowns, units) {
+                return Some(Corrected { place: unknowns, image, first, map_slope: 1.0, stale: 0.0 });
             }
-            let off: f64 = (0..place.len()).map(|j| across[j] * (place[j] - guess[j]) / units[j]).sum();
+            let off: f64 = (0..unknowns.len()).map(|j| across[j] * (unknowns[j] - guess[j]) / units[j]).sum();
             let change = bordered(&image, across, units).change(&image.defect, &[off])?;
             let size = norm(&change);
             if round == 0 {
@@ -55,15 +55,15 @@ impl Corrector<'_> {
             if !size.is_finite() || (size > 0.5 * before && size > ROUNDING) {
                 return None;
             }
-            for ((number, change), unit) in place.iter_mut().zip(&change).zip(units) {
+            for ((number, change), unit) in unknowns.iter_mut().zip(&change).zip(units) {
                 *number += change * unit;
             }
             if size < CLOSE || (size > 0.5 * before && size <= ROUNDING) {
                 // Without a second map its change is assumed to be proportional to the change of position.
                 let map_slope = last.map_or(1.0, |it| (image.change(&it, units) / before).max(1.0));
                 let is_stale = size <= self.stale;
-                let (image, stale) = if is_stale { (image, size) } else { (self.image(&place)?, 0.0) };
-                return Some(Corrected { place, image, first, map_slope, stale });
+                let (image, stale) = if is_stale { (image, size) } else { (self.image(&unknowns)?, 0.0) };
+                return Some(Corrected { place: unknowns, image, first, map_slope, stale });
             }
             before = size;
             last = Some(image);

@@ -125,8 +125,8 @@ impl<'a> Trace<'a> {
         let mut trace =
             Self { singular, ranges, most_points, units: vec![], largest, spots: vec![], cusps: vec![] };
         trace.units = trace.units_of(start.1);
-        let (along, place) = trace.first(start.0)?;
-        let spot = trace.spot(place, &along)?;
+        let (along, unknowns) = trace.first(start.0)?;
+        let spot = trace.spot(unknowns, &along)?;
         trace.spots.push(spot);
         Some(trace)
     }
@@ -220,8 +220,8 @@ impl<'a> Trace<'a> {
 
     /// The spot after a step, and the angle by which the direction turned.
     fn next(&self, length: f64) -> Option<(Spot, f64)> {
-        let Spot { place, tangent, .. } = self.at();
-        let step = place.iter().zip(tangent).zip(&self.units);
+        let Spot { place: unknowns, tangent, .. } = self.at();
+        let step = unknowns.iter().zip(tangent).zip(&self.units);
         let guess: Vec<f64> = step.map(|((x, t), unit)| x + length * t * unit).collect();
         let corrected = self.corrected(&guess, tangent)?;
         if norm(&self.difference(&corrected, &guess)) > FAR * length {
@@ -244,26 +244,26 @@ impl<'a> Trace<'a> {
         const DONE: f64 = 3e-15;
         /// Corrections that may grow: next to a cusp the derivatives are nearly singular, and rounding errors are enlarged by up to a million.
         const ROUNDING: f64 = 1e-9;
-        let mut place = guess.to_vec();
+        let mut unknowns = guess.to_vec();
         let (mut before, mut rows) = (f64::INFINITY, vec![]);
         for _ in 0..MOST_ROUNDS {
             if before > NEAR {
-                rows = self.singular.slopes(&place, &self.units, TOLERANCES[0])?;
+                rows = self.singular.slopes(&unknowns, &self.units, TOLERANCES[0])?;
                 rows.push(across.to_vec());
             }
-            let off: f64 = self.difference(&place, guess).iter().zip(across).map(|(x, t)| x * t).sum();
-            let values = self.singular.values(&place, &self.units, TOLERANCES[0])?;
+            let off: f64 = self.difference(&unknowns, guess).iter().zip(across).map(|(x, t)| x * t).sum();
+            let values = self.singular.values(&unknowns, &self.units, TOLERANCES[0])?;
             let right: Vec<f64> = values.iter().map(|x| -x).chain([-off]).collect();
             let change = solve(&Doubles, |x| x.abs(), &rows, &right)?;
             let size = norm(&change);
             if !size.is_finite() || (size > 0.5 * before && size > ROUNDING) {
                 return None;
             }
-            for ((number, change), unit) in place.iter_mut().zip(&change).zip(&self.units) {
+            for ((number, change), unit) in unknowns.iter_mut().zip(&change).zip(&self.units) {
                 *number += change * unit;
             }
             if size < DONE || size > 0.5 * before {
-                return Some(place);
+                return Some(unknowns);
             }
             before = size;
         }
@@ -282,8 +282,8 @@ impl<'a> Trace<'a> {
             tangent(&slopes, &across).map(|tangent| (tangent[j].abs(), tangent))
         };
         let (_, along) = (0..place.len()).filter_map(along).max_by(|a, b| a.0.total_cmp(&b.0))?;
-        let place = self.corrected(place, &along)?;
-        Some((along, place))
+        let unknowns = self.corrected(place, &along)?;
+        Some((along, unknowns))
     }
 
     /// A point with its direction, its motion and its error.
@@ -307,7 +307,7 @@ impl<'a> Trace<'a> {
         let values = |tolerance: f64| self.singular.values(place, &self.units, tolerance);
         let rounding =
             f64::EPSILON * place.iter().zip(&self.units).fold(1.0, |sum, (x, unit)| sum + (x / unit).abs());
-        let missed = |(own, other): (f64, f64)| own.abs() + other.abs() + rounding;
+        let missed = |(value, other): (f64, f64)| value.abs() + other.abs() + rounding;
         let right = values(TOLERANCES[0])?.into_iter().zip(values(TOLERANCES[1])?).map(missed).chain([0.0]);
         let right: Vec<f64> = right.collect();
         rows.push(tangent.to_vec());
@@ -361,9 +361,9 @@ impl<'a> Trace<'a> {
         let mut guess: Vec<f64> = now.iter().zip(then).map(|(x, y)| x + part * (y - x)).collect();
         guess[number] = value;
         let across: Vec<f64> = (0..now.len()).map(|i| if i == number { 1.0 } else { 0.0 }).collect();
-        let mut place = self.corrected(&guess, &across)?;
-        place[number] = value;
-        self.spot(place, &self.at().tangent)
+        let mut unknowns = self.corrected(&guess, &across)?;
+        unknowns[number] = value;
+        self.spot(unknowns, &self.at().tangent)
     }
 
     /// Returns `true` if the step to a spot passes through the first spot in the same direction.
@@ -372,11 +372,11 @@ impl<'a> Trace<'a> {
             return false;
         }
         let start = &self.spots[0];
-        let side = |place: &[f64]| -> f64 {
-            self.difference(place, &start.place).iter().zip(&start.tangent).map(|(a, b)| a * b).sum()
+        let side = |unknowns: &[f64]| -> f64 {
+            self.difference(unknowns, &start.place).iter().zip(&start.tangent).map(|(a, b)| a * b).sum()
         };
         let [before, after] =
-            [&self.at().place, &next.place].map(|place| self.difference(place, &start.place));
+            [&self.at().place, &next.place].map(|unknowns| self.difference(unknowns, &start.place));
         let near = norm(&before).min(norm(&after)) <= 1.5 * length;
         near && side(&self.at().place) < 0.0 && side(&next.place) >= 0.0
     }
@@ -399,8 +399,8 @@ impl<'a> Trace<'a> {
         let change: Vec<f64> = b.tangent.iter().zip(&a.tangent).map(|(b, a)| b - a).rev().take(2).collect();
         let spot_at = |s: f64| {
             let guess: Vec<f64> = a.place.iter().zip(&b.place).map(|(x, y)| x + s * (y - x)).collect();
-            let place = self.corrected(&guess, &secant)?;
-            self.spot(place, &a.tangent)
+            let unknowns = self.corrected(&guess, &secant)?;
+            self.spot(unknowns, &a.tangent)
         };
         let along = |spot: &Spot| -> f64 { spot.tangent.iter().rev().zip(&change).map(|(t, w)| t * w).sum() };
         let ends = [(0.0, along(a)), (1.0, along(b))];

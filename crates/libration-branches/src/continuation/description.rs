@@ -35,20 +35,21 @@ impl Corrector<'_> {
         let errors = across(corrected, &motion.defect, tangent, units).filter(|it| norm(it).is_finite());
         let off = errors.as_ref().map_or(0.0, |it| 4.0 * norm(it)) + 2.0 * corrected.stale;
         let image = (&corrected.image, corrected.map_slope * off);
-        let (point, own) = self.family.described(self.space, unknowns, &[parameter], image, &motion)?;
+        let (point, multipliers) =
+            self.family.described(self.space, unknowns, &[parameter], image, &motion)?;
         let Some(errors) = errors else {
-            return Some((BranchPoint { error: f64::INFINITY, ..point }, own));
+            return Some((BranchPoint { error: f64::INFINITY, ..point }, multipliers));
         };
         let point = BranchPoint { error: state_error(&errors, motion.defect.len(), units), ..point };
         let growth = growth(&corrected.image, self.space, units);
         let closes = if growth * f64::EPSILON > LOST {
-            let (space, place, steps) = (self.space, &corrected.place[..], &motion.steps[..]);
-            let checked = MotionToCheck { space, place, steps, tangent, errors: &errors, units };
+            let (space, position, steps) = (self.space, &corrected.place[..], &motion.steps[..]);
+            let checked = MotionToCheck { space, place: position, steps, tangent, errors: &errors, units };
             self.family.closes_by_pieces(checked, growth)
         } else {
             closes(&corrected.image, &motion, point.error, growth, units)
         };
-        closes.then_some((point, own))
+        closes.then_some((point, multipliers))
     }
 }
 
@@ -121,18 +122,18 @@ impl Family<'_> {
         let units = self.units(&point, self.largest_swing(&point), 1.0);
         let apart = apart(image, motion, &units);
         let of_map = multipliers(image, &units, apart, map_error)?;
-        let mut own = multipliers_along(image, &units, apart, &of_map);
+        let mut multipliers = multipliers_along(image, &units, apart, &of_map);
         if !self.is_driven() {
             // The last multiplier by descending magnitude is the 0 of a deviation along the motion; the whole period adds its 1 again.
-            own.pop();
-            let before = own.iter().take_while(|(it, _)| it.abs() > 1.0).count();
-            own.insert(before, (Complex::from(1.0), 0.0));
+            multipliers.pop();
+            let before = multipliers.iter().take_while(|(it, _)| it.abs() > 1.0).count();
+            multipliers.insert(before, (Complex::from(1.0), 0.0));
         }
         if space.mirrored {
             // The whole period is twice the time of the map.
-            own.iter_mut().for_each(|it| *it = squared(*it));
+            multipliers.iter_mut().for_each(|it| *it = squared(*it));
         }
-        Some((point.with_multipliers(own), of_map))
+        Some((point.with_multipliers(multipliers), of_map))
     }
 }
 
@@ -156,10 +157,10 @@ pub(super) fn multipliers(
     map_error: f64,
 ) -> Option<Vec<(Complex, f64)>> {
     let map = image.return_map();
-    let own = eigenvalues(map)?;
+    let multipliers = eigenvalues(map)?;
     let of_flow = APART * (apart + f64::EPSILON);
-    let errors = multiplier_errors(map, &units[..map.len()], &own, of_flow + map_error);
-    Some(own.into_iter().zip(errors).collect())
+    let errors = multiplier_errors(map, &units[..map.len()], &multipliers, of_flow + map_error);
+    Some(multipliers.into_iter().zip(errors).collect())
 }
 
 /// The multipliers with errors that contain the growth of deviations along the motion. Along a canard, deviations grow a millionfold and fall
@@ -172,8 +173,9 @@ fn multipliers_along(
 ) -> Vec<(Complex, f64)> {
     let Some(growth) = image.growth_along(units) else { return of_map.to_vec() };
     let map = image.return_map();
-    let own: Vec<Complex> = of_map.iter().map(|(it, _)| *it).collect();
-    let errors = multiplier_errors(map, &units[..map.len()], &own, APART * (apart + f64::EPSILON) * growth);
+    let multipliers: Vec<Complex> = of_map.iter().map(|(it, _)| *it).collect();
+    let errors =
+        multiplier_errors(map, &units[..map.len()], &multipliers, APART * (apart + f64::EPSILON) * growth);
     of_map.iter().zip(errors).map(|((it, error), along)| (*it, error.max(along))).collect()
 }
 
@@ -185,8 +187,8 @@ pub(super) fn squared((multiplier, error): (Complex, f64)) -> (Complex, f64) {
 /// The growth of deviations over the whole period, in scaled units; with a mirror at most the square of the growth over the time of the space.
 fn growth(image: &Image, space: Space, units: &[f64]) -> f64 {
     let map = image.return_map();
-    let own = 1.0 + norm_of_map(map.len(), units, |i, j| map[i][j]);
-    if space.mirrored { own * own } else { own }
+    let of_map = 1.0 + norm_of_map(map.len(), units, |i, j| map[i][j]);
+    if space.mirrored { of_map * of_map } else { of_map }
 }
 
 /// `true` if a motion returns to its start after its whole period, within the grown error of the start and the errors of the integrations.
@@ -213,13 +215,13 @@ pub(super) fn parameter_error(corrected: &Corrected, direction: &[f64], units: &
 /// defects and with the rounding of its state. Each defect is treated as one vector: for a strongly
 /// unstable motion it lies along the direction in which deviations grow, and hardly changes the start.
 fn across(corrected: &Corrected, other: &[f64], tangent: &[f64], units: &[f64]) -> Option<Vec<f64>> {
-    let own = &corrected.image.defect;
+    let first = &corrected.image.defect;
     let step = bordered(&corrected.image, tangent, units);
-    let rounding: Vec<f64> = corrected.place[..own.len()].iter().map(|x| f64::EPSILON * x.abs()).collect();
+    let rounding: Vec<f64> = corrected.place[..first.len()].iter().map(|x| f64::EPSILON * x.abs()).collect();
     let mut other = other.to_vec();
-    other.resize(own.len(), 0.0);
+    other.resize(first.len(), 0.0);
     let mut errors = step.errors(&rounding)?;
-    for defect in [own, &other] {
+    for defect in [first, &other] {
         let change = step.change(defect, &[0.0])?;
         errors.iter_mut().zip(change).for_each(|(error, change)| *error += change.abs());
     }

@@ -72,16 +72,16 @@ impl<'a> Grid<'a> {
     /// The middles of neighbouring points with different stability between which no boundary passes.
     fn unresolved(&self, edges: &[SpecialCurve]) -> Vec<[f64; 2]> {
         let [columns, rows] = [0, 1].map(|which| self.values[which].len());
-        let places = (0..rows).flat_map(|row| (0..columns).map(move |column| [column, row]));
-        let pairs = places.flat_map(|[column, row]| {
+        let points = (0..rows).flat_map(|row| (0..columns).map(move |column| [column, row]));
+        let pairs = points.flat_map(|[column, row]| {
             [[[column, row], [column + 1, row]], [[column, row], [column, row + 1]]]
         });
         let is_stable = |[column, row]: [usize; 2]| self.tests.get(row)?.get(column)?.as_ref().map(|it| it.1);
-        let place = |[column, row]: [usize; 2]| [self.values[0][column], self.values[1][row]];
+        let values = |[column, row]: [usize; 2]| [self.values[0][column], self.values[1][row]];
         let differ =
             pairs.filter(|[a, b]| matches!((is_stable(*a), is_stable(*b)), (Some(a), Some(b)) if a != b));
         let open =
-            differ.map(|pair| pair.map(place)).filter(|pair| !edges.iter().any(|edge| passes(edge, *pair)));
+            differ.map(|pair| pair.map(values)).filter(|pair| !edges.iter().any(|edge| passes(edge, *pair)));
         open.map(|[a, b]| [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]).collect()
     }
 
@@ -117,9 +117,9 @@ impl<'a> Grid<'a> {
         }
         let image = self.family.image(self.space, self.rest, &place, TOLERANCES[0])?;
         let units = self.family.sizes_in(self.family.drive_period(&place).unwrap_or(TAU));
-        let own = multipliers(&image, &units, 0.0, 0.0)?;
-        let tests = Tests::of(&own, 0.0);
-        let stability = Stability::of(own.iter().map(|(it, error)| (it.abs(), *error)));
+        let multipliers = multipliers(&image, &units, 0.0, 0.0)?;
+        let tests = Tests::of(&multipliers, 0.0);
+        let stability = Stability::of(multipliers.iter().map(|(it, error)| (it.abs(), *error)));
         Some((tests, stability.may_last()))
     }
 
@@ -139,7 +139,7 @@ impl<'a> Grid<'a> {
             Test::Torus => tests.torus.abs() > TORUS_NOISE * tests.noise[2],
             _ => test.of(tests).abs() > test.sure(),
         };
-        let place = |value: f64| {
+        let values = |value: f64| {
             let across = self.values[1 - along][line];
             if along == 0 { [value, across] } else { [across, value] }
         };
@@ -150,19 +150,19 @@ impl<'a> Grid<'a> {
         let axis = &self.values[along];
         let points: Vec<Option<Point>> =
             axis.iter().enumerate().map(|(k, at)| point(*at, on_grid(k))).collect();
-        let value_at = |at: f64| self.at(place(at)).map_or(f64::NAN, |(tests, _)| test.of(&tests));
+        let value_at = |at: f64| self.at(values(at)).map_or(f64::NAN, |(tests, _)| test.of(&tests));
         let crossing = |[from, to]: [Point; 2]| {
             /// Width to which a zero is enclosed, relative to the interval: small enough to start Newton's method.
             const WIDTH: f64 = 1e-6;
             let width = WIDTH * (to.0 - from.0).abs();
             let at = zero_between([from, to], Tolerance::absolute(width), value_at)?;
-            Some(Crossing { test, place: place(at), along, rises: from.1 < to.1 })
+            Some(Crossing { test, place: values(at), along, rises: from.1 < to.1 })
         };
-        let mut found = vec![];
+        let mut crossings = vec![];
         for k in 1..axis.len() {
             let (Some(before), Some(after)) = (points[k - 1], points[k]) else { continue };
             if (before.1 > 0.0) != (after.1 > 0.0) {
-                found.extend(crossing([before, after]));
+                crossings.extend(crossing([before, after]));
                 continue;
             }
             let next = points.get(k + 1).copied().flatten();
@@ -175,13 +175,13 @@ impl<'a> Grid<'a> {
             };
             let dip = inner.or_else(|| Some((outer()?, after)));
             if let Some((least, end)) =
-                dip.filter(|(least, _)| point(least.0, &self.at(place(least.0))).is_some())
+                dip.filter(|(least, _)| point(least.0, &self.at(values(least.0))).is_some())
             {
-                found.extend(crossing([before, least]));
-                found.extend(crossing([least, end]));
+                crossings.extend(crossing([before, least]));
+                crossings.extend(crossing([least, end]));
             }
         }
-        found
+        crossings
     }
 }
 

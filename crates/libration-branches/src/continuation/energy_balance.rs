@@ -42,22 +42,26 @@ impl EnergyBalance {
     /// other equations.
     pub(super) fn new(equation: Equation, scale: f64) -> Option<Self> {
         let free = undriven(&equation)?;
-        let place = Symbol::plain(&equation.variables()[0]);
-        let inputs = [place.clone(), place.with_primes(1), Symbol::plain("t")];
+        let coordinate = Symbol::plain(&equation.variables()[0]);
+        let inputs = [coordinate.clone(), coordinate.with_primes(1), Symbol::plain("t")];
         let difference = Expression::Subtract(
             Box::new(equation.derivatives()[0].clone()),
             Box::new(free.derivatives()[0].clone()),
         );
         let rest = Tape::new(&[&difference], &inputs).ok()?;
         let force = Tape::new(&[&free.derivatives()[0]], &inputs).ok()?;
-        let at = |place: f64| value(&force, [place, 0.0, 0.0]);
+        let at = |displacement: f64| value(&force, [displacement, 0.0, 0.0]);
         // Rounding errors of formulas of some hundred operations.
         let same = |a: f64, b: f64| (a - b).abs() <= 1e-12 * (a.abs() + b.abs()).max(1e-300);
-        let is_odd_at = |place: f64| same(at(place), -at(-place));
-        let places = [0.31, 0.83, 1.7, 2.9];
+        let is_odd_at = |displacement: f64| same(at(displacement), -at(-displacement));
+        let displacements = [0.31, 0.83, 1.7, 2.9];
         Some(Self {
-            is_odd: [1.0, scale].iter().all(|scale| places.iter().all(|place| is_odd_at(scale * place))),
-            is_periodic: places.iter().all(|place| same(at(*place), at(place + TAU))),
+            is_odd: [1.0, scale]
+                .iter()
+                .all(|scale| displacements.iter().all(|displacement| is_odd_at(scale * displacement))),
+            is_periodic: displacements
+                .iter()
+                .all(|displacement| same(at(*displacement), at(displacement + TAU))),
             scale,
             equation,
             free,
@@ -67,9 +71,13 @@ impl EnergyBalance {
 
     /// The frequencies of free oscillations of all sizes; on one side only if left and right are symmetric.
     pub(super) fn frequencies(&self) -> Frequencies {
-        let places = self.places();
-        let of =
-            |sign: f64| places.iter().map(|place| (sign * place, self.frequency(sign * place))).collect();
+        let amplitudes = self.places();
+        let of = |sign: f64| {
+            amplitudes
+                .iter()
+                .map(|displacement| (sign * displacement, self.frequency(sign * displacement)))
+                .collect()
+        };
         if self.is_odd { vec![of(1.0)] } else { vec![of(1.0), of(-1.0)] }
     }
 
@@ -82,11 +90,12 @@ impl EnergyBalance {
         /// Relative tolerance of the release point, sufficient for an initial guess.
         const CLOSE: f64 = 1e-4;
         let pairs = frequencies.iter().flat_map(|side| side.windows(2));
-        let places = pairs.filter_map(|pair| {
-            let ends = [pair[0], pair[1]].map(|(place, own)| (place, own - frequency));
-            zero_between(ends, Tolerance::relative(CLOSE), |place| self.frequency(place) - frequency)
+        let amplitudes = pairs.filter_map(|pair| {
+            let ends = [pair[0], pair[1]]
+                .map(|(amplitude, natural_frequency)| (amplitude, natural_frequency - frequency));
+            zero_between(ends, Tolerance::relative(CLOSE), |amplitude| self.frequency(amplitude) - frequency)
         });
-        places.filter_map(|place| Orbit::released(&self.free, place, &Quiet).ok()).collect()
+        amplitudes.filter_map(|amplitude| Orbit::released(&self.free, amplitude, &Quiet).ok()).collect()
     }
 
     /// Release points from three decades below the scale, or 1, to three decades above, or from the bottom to a hundredth of a radian below the top.
@@ -94,13 +103,13 @@ impl EnergyBalance {
         /// Five in a decade.
         const RATIO: f64 = 1.584_893_192_461_113_6;
         let between = |low: f64, high: f64| {
-            std::iter::successors(Some(low), |place| Some(place * RATIO))
-                .take_while(move |place| *place < high)
+            std::iter::successors(Some(low), |amplitude| Some(amplitude * RATIO))
+                .take_while(move |amplitude| *amplitude < high)
         };
         if !self.is_periodic {
             return between(1e-3 * self.scale.min(1.0), 1.1e3 * self.scale.max(1.0)).collect();
         }
-        let mut above: Vec<f64> = between(1e-2, 0.5 * PI).map(|place| PI - place).collect();
+        let mut above: Vec<f64> = between(1e-2, 0.5 * PI).map(|amplitude| PI - amplitude).collect();
         above.reverse();
         between(1e-3, 0.5 * PI).chain(above).collect()
     }

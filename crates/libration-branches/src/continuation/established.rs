@@ -46,7 +46,7 @@ pub(super) fn is_established(
 /// `true` if no test function can have hidden zeros between the last of two or more nodes and the next one.
 fn is_clear(before: &[Milestone], next: &Milestone) -> bool {
     let Some(&[a, b]) = before.last_chunk::<2>() else { return false };
-    let earlier = before.len().checked_sub(3).map(|place| before[place]);
+    let earlier = before.len().checked_sub(3).map(|index| before[index]);
     let is_clear_of = |test: Test| {
         let value = |milestone: &Milestone| (milestone.at, test.of(&milestone.tests));
         let three = [value(&a), value(&b), value(next)];

@@ -86,9 +86,9 @@ impl Image {
 
     /// The norm of the difference between two maps relative to the norm of this one, in scaled units.
     pub(super) fn change(&self, other: &Self, units: &[f64]) -> f64 {
-        let (own, other) = (self.return_map(), other.return_map());
-        let norm = |entry: &dyn Fn(usize, usize) -> f64| norm_of_map(own.len(), units, entry);
-        norm(&|i, j| own[i][j] - other[i][j]) / norm(&|i, j| own[i][j])
+        let (map, other) = (self.return_map(), other.return_map());
+        let norm = |entry: &dyn Fn(usize, usize) -> f64| norm_of_map(map.len(), units, entry);
+        norm(&|i, j| map[i][j] - other[i][j]) / norm(&|i, j| map[i][j])
     }
 
     /// The largest size of deviations along the motion relative to the norm of the return map, in scaled units and at least 1, if no drive sets
@@ -290,8 +290,8 @@ impl<'w> Family<'w> {
         let signed = |vector: Vec<f64>| {
             vector.into_iter().enumerate().map(|(component, x)| sign(component) * x).collect::<Vec<f64>>()
         };
-        let (found, largest) = self.variations_with_sizes(state, parameters, duration, tolerance)?;
-        let Variations { end, by_start, by_parameters, rates: [_, rate] } = found;
+        let (variations, largest) = self.variations_with_sizes(state, parameters, duration, tolerance)?;
+        let Variations { end, by_start, by_parameters, rates: [_, rate] } = variations;
         let rate = signed(rate);
         let image = Image {
             defect: space.missed(&end, state, &self.signs),
@@ -322,8 +322,8 @@ impl<'w> Family<'w> {
         times: [f64; 2],
         tolerance: f64,
     ) -> Option<Variations> {
-        let found = self.flow.variations(state, parameters, times, tolerance, || self.watch.flow());
-        found.ok().filter(is_finite)
+        let variations = self.flow.variations(state, parameters, times, tolerance, || self.watch.flow());
+        variations.ok().filter(is_finite)
     }
 
     /// The same from time zero, with the largest sizes of the derivatives by the start if no drive sets the period.
@@ -339,8 +339,8 @@ impl<'w> Family<'w> {
             return Some((self.variations(state, parameters, times, tolerance)?, vec![]));
         }
         let watch = || self.watch.flow();
-        let found = self.flow.largest_variations(state, parameters, times, tolerance, watch);
-        found.ok().filter(|(found, _)| is_finite(found))
+        let outcome = self.flow.largest_variations(state, parameters, times, tolerance, watch);
+        outcome.ok().filter(|(integrated, _)| is_finite(integrated))
     }
 
     /// A start that is not an equilibrium: the coordinates of an equilibrium are displaced a little, each less than the one before, since equal
@@ -367,8 +367,9 @@ impl<'w> Family<'w> {
     /// Number of times, at least 1, that the first coordinate begins to rise in a period that starts at a turning point.
     pub(super) fn turns(&self, state: &[f64], value: f64, period: f64) -> Option<u32> {
         let (steps, _) = self.motion(state, &[value], [0.0, period], TOLERANCES[1]).ok()?;
-        let rises = |own: &OwnedStep, time: f64| own.step().speeds_at(time)[0] > 0.0;
-        let begins_to = |own: &&OwnedStep| !rises(own, own.step().start()) && rises(own, own.step().end());
+        let rises = |owned: &OwnedStep, time: f64| owned.step().speeds_at(time)[0] > 0.0;
+        let begins_to =
+            |owned: &&OwnedStep| !rises(owned, owned.step().start()) && rises(owned, owned.step().end());
         u32::try_from(steps.iter().filter(begins_to).count().max(1)).ok()
     }
 

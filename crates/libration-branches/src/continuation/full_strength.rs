@@ -39,8 +39,8 @@ impl<'w> ToFullStrength<'w> {
         let mut along = vec![0.0; state.len() + 1];
         along[state.len()] = 1.0;
         let first = |strength: &f64| {
-            let place = self.closed(space, state, *strength)?;
-            let node = Node::near(&corrector, &place, [&along, &along], 1.0)?;
+            let unknowns = self.closed(space, state, *strength)?;
+            let node = Node::near(&corrector, &unknowns, [&along, &along], 1.0)?;
             ((self.family.largest_swing(&node.point) / amplitude - 1.0).abs() < SAME_SWING).then_some(node)
         };
         let start = FIRST_STRENGTHS.iter().find_map(first)?;

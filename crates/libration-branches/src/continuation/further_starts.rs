@@ -111,8 +111,9 @@ impl Search<'_> {
         let units: Vec<f64> = sizes.into_iter().chain([self.width()]).collect();
         let across: Vec<f64> = (0..units.len()).map(|it| f64::from(it + 1 == units.len())).collect();
         let guess: Vec<f64> = state.iter().copied().chain([value]).collect();
-        let Corrected { mut place, image, .. } = self.corrector(space).corrected(&guess, &across, &units)?;
-        place.pop();
+        let Corrected { place: mut unknowns, image, .. } =
+            self.corrector(space).corrected(&guess, &across, &units)?;
+        unknowns.pop();
         let multipliers = eigenvalues(image.return_map())?;
         /// Half of the digits: where a multiplier is 1, motions form families, or a fold is at the end of the range.
         const ISOLATED: f64 = 1e-8;
@@ -120,8 +121,8 @@ impl Search<'_> {
             return None;
         }
         let largest = multipliers.iter().map(|multiplier| multiplier.abs()).fold(0.0, f64::max);
-        let ranges = self.family.ranges_of(space, &place, value)?;
-        self.turns.subtract(&mut place, |coordinate| middle(ranges[coordinate]));
-        Some((Start { unknowns: place, space }, largest))
+        let ranges = self.family.ranges_of(space, &unknowns, value)?;
+        self.turns.subtract(&mut unknowns, |coordinate| middle(ranges[coordinate]));
+        Some((Start { unknowns, space }, largest))
     }
 }

@@ -129,7 +129,7 @@ impl<'f> HarmonicBalance<'f> {
             let mut means: Vec<f64> = motion.iter().copied().step_by(self.functions()).collect();
             let centre = means.clone();
             turns.subtract(&mut means, |coordinate| centre[coordinate]);
-            motion.iter_mut().step_by(self.functions()).zip(means).for_each(|(own, mean)| *own = mean);
+            motion.iter_mut().step_by(self.functions()).zip(means).for_each(|(entry, mean)| *entry = mean);
             let is_same = |other: &Estimate| {
                 let apart: Vec<f64> = other.motion.iter().zip(&motion).map(|(a, b)| a - b).collect();
                 let same = SAME[usize::from(!(other.settled && settled))];
@@ -239,11 +239,11 @@ impl<'f> HarmonicBalance<'f> {
         for number in 0..self.samples.len() {
             let rates = self.rates(motion, number, size)?;
             let (samples, layout) = (&self.samples[number], &self.family.layout);
-            let [places, velocities, _] = &samples.functions;
+            let [displacements, velocities, _] = &samples.functions;
             for coordinate in 0..layout.coordinates() {
                 let order = if layout.velocity(coordinate).is_some() { 2 } else { 1 };
                 let highest = samples.value(&motion[coordinate * each..], order);
-                let project = |values: Values, row: usize| inner(&values, &places[row]);
+                let project = |values: Values, row: usize| inner(&values, &displacements[row]);
                 let residual = std::array::from_fn(|k| highest[k] - rates.values[coordinate][k]);
                 let rows = &mut missed[coordinate * each..][..each];
                 rows.iter_mut().enumerate().for_each(|(row, it)| *it += project(residual, row));
@@ -256,7 +256,7 @@ impl<'f> HarmonicBalance<'f> {
                         let velocity = by_velocity.map_or(0.0, |slopes| slopes[k] * velocities[function][k]);
                         let highest =
                             if other == coordinate { samples.functions[order][function][k] } else { 0.0 };
-                        highest - by_place[k] * places[function][k] - velocity
+                        highest - by_place[k] * displacements[function][k] - velocity
                     });
                     rows.iter_mut().enumerate().for_each(|(row, it)| it[column] += project(slope, row));
                 }
@@ -309,7 +309,7 @@ fn inner(a: &Values, b: &Values) -> f64 {
 /// Proportions of the coordinates: each alone, all together, and neighbours in opposition.
 fn shapes(coordinates: usize) -> Vec<Vec<f64>> {
     let each = |part: &dyn Fn(usize) -> f64| (0..coordinates).map(part).collect();
-    let alone = (0..coordinates).map(|own| each(&|it| f64::from(it == own)));
+    let alone = (0..coordinates).map(|moving| each(&|it| f64::from(it == moving)));
     let together = [1.0, -1.0].map(|sign| each(&|it| if it % 2 == 0 { 1.0 } else { sign }));
     alone.chain(together.into_iter().filter(|_| coordinates > 1)).collect()
 }

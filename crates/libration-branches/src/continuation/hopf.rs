@@ -78,13 +78,13 @@ impl Rest {
         /// next one, if it were not rounding, all of them.
         const ROUNDING: f64 = 1e-9;
         let numbers = state.len();
-        let jacobian = |found: &Rates| -> Vec<Vec<f64>> {
-            found.slopes.iter().map(|row| row[..numbers].to_vec()).collect()
+        let jacobian = |rates: &Rates| -> Vec<Vec<f64>> {
+            rates.slopes.iter().map(|row| row[..numbers].to_vec()).collect()
         };
         let step = |at: &[f64]| {
-            let found = field.at(at, &[value]).ok_or(NewtonError::NoValue)?;
-            let missed: Vec<f64> = found.rates.iter().map(|rate| -rate).collect();
-            let change = solve(&Doubles, |x| x.abs(), &jacobian(&found), &missed);
+            let rates = field.at(at, &[value]).ok_or(NewtonError::NoValue)?;
+            let missed: Vec<f64> = rates.rates.iter().map(|rate| -rate).collect();
+            let change = solve(&Doubles, |x| x.abs(), &jacobian(&rates), &missed);
             change.filter(|change| change.iter().all(|x| x.is_finite())).ok_or(NewtonError::NoSlope)
         };
         let mut before = f64::INFINITY;
@@ -96,10 +96,10 @@ impl Rest {
             last
         };
         let state = newton(&Doubles, state, MOST_ROUNDS, step, is_last).ok()?;
-        let own = eigenvalues(&jacobian(&field.at(&state, &[value])?))?;
+        let eigenvalues = eigenvalues(&jacobian(&field.at(&state, &[value])?))?;
         let off = |number: &&Complex| (number.im - frequency).abs();
-        let above = own.iter().filter(|it| it.im > 0.0);
+        let above = eigenvalues.iter().filter(|it| it.im > 0.0);
         let critical = *above.min_by(|a, b| off(a).total_cmp(&off(b)))?;
-        Some(Self { state, eigenvalues: own, critical })
+        Some(Self { state, eigenvalues, critical })
     }
 }

@@ -32,8 +32,8 @@ pub(super) fn jumps<'a>(
         let [first, last] = at_the_fold(points, fold);
         let neighbours = [points.get(first.checked_sub(1)?)?, points.get(last)?];
         let left = neighbours.into_iter().find(|point| point.is_stable())?;
-        let pairs = branches.iter().enumerate().flat_map(|(place, branch)| {
-            let fold = if place == number { first..last } else { 0..0 };
+        let pairs = branches.iter().enumerate().flat_map(|(index, branch)| {
+            let fold = if index == number { first..last } else { 0..0 };
             stable_stretches(branch, value, fold).map(|pair| (branch.space, pair))
         });
         let to = pairs.map(|(space, pair)| landing(&corrector(space), pair, value, width));
@@ -70,7 +70,7 @@ fn stable_stretches(
     fold: Range<usize>,
 ) -> impl Iterator<Item = [&BranchPoint; 2]> {
     let pairs = branch.points.iter().zip(branch.points.iter().skip(1)).map(|(a, b)| [a, b]);
-    let others = pairs.enumerate().filter(move |(place, _)| place + 1 < fold.start || fold.end <= *place);
+    let others = pairs.enumerate().filter(move |(index, _)| index + 1 < fold.start || fold.end <= *index);
     others.map(|(_, pair)| pair).filter(move |[a, b]| {
         a.is_stable() && b.is_stable() && (a.parameter < value) != (b.parameter < value)
     })
@@ -85,10 +85,11 @@ pub(super) fn landing(
 ) -> BranchPoint {
     let part = (value - a.parameter) / (b.parameter - a.parameter);
     let [from, to] = [a, b].map(|point| corrector.unknowns(point));
-    let place: Vec<f64> = from.iter().zip(&to).map(|(x, y)| x + part * (y - x)).chain([value]).collect();
-    let along: Vec<f64> = (0..place.len()).map(|j| if j + 1 < place.len() { 0.0 } else { 1.0 }).collect();
+    let unknowns: Vec<f64> = from.iter().zip(&to).map(|(x, y)| x + part * (y - x)).chain([value]).collect();
+    let along: Vec<f64> =
+        (0..unknowns.len()).map(|j| if j + 1 < unknowns.len() { 0.0 } else { 1.0 }).collect();
     let nearer = if part < 0.5 { a } else { b };
-    let Some(node) = Node::near(corrector, &place, [&along, &along], width) else {
+    let Some(node) = Node::near(corrector, &unknowns, [&along, &along], width) else {
         let apart = norm(&a.state.iter().zip(&b.state).map(|(x, y)| x - y).collect::<Vec<_>>());
         return BranchPoint { error: apart.max(nearer.error), ..nearer.clone() };
     };

@@ -67,9 +67,9 @@ impl Node {
         let mut node: Option<Self> = None;
         for _ in 0..2 {
             let corrected = corrector.corrected(place, &in_units(across, &sizes), &sizes)?;
-            let found = Self::new(corrector, corrected, along, &sizes)?;
-            sizes = corrector.family.units(&found.point, corrector.family.largest_swing(&found.point), width);
-            node = Some(found);
+            let next = Self::new(corrector, corrected, along, &sizes)?;
+            sizes = corrector.family.units(&next.point, corrector.family.largest_swing(&next.point), width);
+            node = Some(next);
         }
         node
     }
@@ -82,8 +82,8 @@ impl Node {
 impl Tests {
     /// The tests of a map whose multipliers are taken as exact.
     pub(super) fn new(image: &Image, fold: f64) -> Option<Self> {
-        let own = eigenvalues(image.return_map())?;
-        Some(Self::of(&own.into_iter().map(|it| (it, 0.0)).collect::<Vec<_>>(), fold))
+        let multipliers = eigenvalues(image.return_map())?;
+        Some(Self::of(&multipliers.into_iter().map(|it| (it, 0.0)).collect::<Vec<_>>(), fold))
     }
 
     /// The tests of multipliers with their errors, by descending magnitude.
@@ -152,14 +152,15 @@ fn collision(own: &[(Complex, f64)], largest: f64) -> f64 {
         scale *= largest;
     }
     let matrix: Vec<Vec<f64>> = (0..pairs).map(|i| sums[i..i + pairs].to_vec()).collect();
-    eigenvalues(&matrix).map_or(f64::NAN, |own| own.into_iter().fold(Complex::from(1.0), |a, b| a * b).re)
+    eigenvalues(&matrix)
+        .map_or(f64::NAN, |values| values.into_iter().fold(Complex::from(1.0), |a, b| a * b).re)
 }
 
 /// The real part of a product, and its error from the errors of the factors.
 fn product(factors: impl Iterator<Item = (Complex, f64)>) -> (f64, f64) {
     let one = (Complex::from(1.0), 0.0);
-    let (product, error) = factors.fold(one, |(product, error), (factor, own)| {
-        (product * factor, error * (factor.abs() + own) + own * product.abs())
+    let (product, error) = factors.fold(one, |(product, error), (factor, factor_error)| {
+        (product * factor, error * (factor.abs() + factor_error) + factor_error * product.abs())
     });
     (product.re, error)
 }

@@ -57,7 +57,7 @@ impl Search<'_> {
         mut told: impl FnMut(&Walked),
     ) -> Result<OrderAnswers, BranchError> {
         let (mut finding, before) = (OrderFinding::NoOscillation, branches.len());
-        let mut known: Option<(Equation, Frequencies)> = None;
+        let mut last: Option<(Equation, Frequencies)> = None;
         for k in 0..VALUES {
             if self.family.watch.is_stopped() {
                 break;
@@ -69,12 +69,12 @@ impl Search<'_> {
                 EnergyBalance::new(equation, self.family.scale).ok_or(BranchError::NotOneOscillator)?;
             let ratio = f64::from(order.oscillations()) / f64::from(order.drive_periods());
             let frequency = ratio * std::f64::consts::TAU / drive;
-            let frequencies = match known.take() {
+            let frequencies = match last.take() {
                 Some((free, frequencies)) if free == balance.free => frequencies,
                 _ => balance.frequencies(),
             };
             let orbits = balance.oscillations(&frequencies, frequency);
-            known = Some((balance.free.clone(), frequencies));
+            last = Some((balance.free.clone(), frequencies));
             for orbit in &orbits {
                 let reached =
                     self.reached_from(&balance, orbit, [value, drive], order, branches, &mut told)?;

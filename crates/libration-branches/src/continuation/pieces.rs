@@ -24,15 +24,15 @@ impl Family<'_> {
     /// `true` if there is an orbit of the whole equation near a motion, within its errors, by
     /// integration piece by piece over the whole period. `growth` is that of deviations over the period.
     pub(super) fn closes_by_pieces(&self, motion: MotionToCheck<'_>, growth: f64) -> bool {
-        let MotionToCheck { space, place, steps, tangent, errors, units } = motion;
-        let Some((&parameter, unknowns)) = place.split_last() else { return false };
+        let MotionToCheck { space, place: position, steps, tangent, errors, units } = motion;
+        let Some((&parameter, unknowns)) = position.split_last() else { return false };
         let Some(half) = self.duration(space, unknowns, &[parameter]) else { return false };
         let times = if space.mirrored { 2.0 } else { 1.0 };
         let state_at = |part: f64| {
             let time = times * half * part;
             let (time, is_mirrored) =
                 if space.mirrored && time >= half { (time - half, true) } else { (time, false) };
-            let step = steps.iter().find(|own| time <= own.step().end())?.step();
+            let step = steps.iter().find(|owned| time <= owned.step().end())?.step();
             let sign = |number: usize| if is_mirrored { self.signs[number] } else { 1.0 };
             Some(step.state_at(time).into_iter().enumerate().map(|(number, x)| sign(number) * x).collect())
         };
@@ -45,25 +45,29 @@ impl Family<'_> {
             let parameters = &further[further.len() - 1..];
             let whole = times * self.duration(space, further, parameters)?;
             let slopes = self.duration_slopes(space, parameters)?;
-            let found = self.variations(state, parameters, parts.map(|part| whole * part), TOLERANCES[0])?;
-            let by_whole =
-                Piece::by_duration(&found.by_start, found.rates.each_ref().map(|it| &it[..]), parts);
+            let integrated =
+                self.variations(state, parameters, parts.map(|part| whole * part), TOLERANCES[0])?;
+            let by_whole = Piece::by_duration(
+                &integrated.by_start,
+                integrated.rates.each_ref().map(|it| &it[..]),
+                parts,
+            );
             let last = further.len() - 1;
             let column = |k: usize| {
-                let own = |i: usize| if k == last { found.by_parameters[0][i] } else { 0.0 };
-                by_whole.iter().enumerate().map(|(i, x)| slopes[k] * (times * x) + own(i)).collect()
+                let by_value = |i: usize| if k == last { integrated.by_parameters[0][i] } else { 0.0 };
+                by_whole.iter().enumerate().map(|(i, x)| slopes[k] * (times * x) + by_value(i)).collect()
             };
             let by_further = (0..further.len()).map(column).collect();
-            Some(Piece { by_further, end: found.end, by_start: found.by_start })
+            Some(Piece { by_further, end: integrated.end, by_start: integrated.by_start })
         };
-        Checked { frame, place, errors, growth }.closes(state_at, piece)
+        Checked { frame, place: position, errors, growth }.closes(state_at, piece)
     }
 
     /// The linearised condition, in scaled units, that an autonomous motion begins where its first coordinate turns back.
     fn phase_row(&self, unknowns: &[f64], parameter: f64, units: &[f64]) -> Option<Vec<f64>> {
         let numbers = self.layout.numbers();
-        let found = self.field()?.at(self.state(unknowns), &[parameter])?;
-        let (by_state, by_parameter) = found.slopes[0].split_at(numbers);
+        let rates = self.field()?.at(self.state(unknowns), &[parameter])?;
+        let (by_state, by_parameter) = rates.slopes[0].split_at(numbers);
         let slopes = by_state.iter().chain(&[0.0]).chain(by_parameter);
         let row: Vec<f64> = slopes.zip(units).map(|(slope, unit)| slope * unit).collect();
         let size = norm(&row);

@@ -49,7 +49,7 @@ impl BranchPoint {
     /// without error is that of deviations along the motion, which a motion without a drive has; it decides nothing.
     pub(super) fn with_multipliers(self, multipliers: Vec<(Complex, f64)>) -> Self {
         let along = multipliers.iter().position(|multiplier| *multiplier == (Complex::from(1.0), 0.0));
-        let counted = (0..).zip(&multipliers).filter(|(place, _)| Some(*place) != along);
+        let counted = (0..).zip(&multipliers).filter(|(index, _)| Some(*index) != along);
         let stability = Stability::of(counted.map(|(_, (it, error))| (it.abs(), *error)));
         let (multipliers, multiplier_errors) = multipliers.into_iter().unzip();
         Self { multipliers, multiplier_errors, stability, ..self }
@@ -57,8 +57,9 @@ impl BranchPoint {
 
     /// Returns `true` if the two multipliers whose product is nearest to one are complex, and not a real one and its inverse.
     pub(super) fn is_torus(&self) -> bool {
-        let own = &self.multipliers;
-        let pairs = (0..own.len()).flat_map(|i| (0..i).map(move |j| [own[i], own[j]]));
+        let multipliers = &self.multipliers;
+        let pairs =
+            (0..multipliers.len()).flat_map(|i| (0..i).map(move |j| [multipliers[i], multipliers[j]]));
         let off = |[a, b]: &[Complex; 2]| (*a * *b - Complex::from(1.0)).abs();
         let nearest = pairs.min_by(|a, b| off(a).total_cmp(&off(b)));
         nearest.is_some_and(|[a, _]| a.im.abs() > 0.0)
@@ -68,12 +69,14 @@ impl BranchPoint {
     pub(super) fn is_collision(&self) -> bool {
         /// Largest distance from the circle: at a double multiplier rounding has an effect of about its square root.
         const OFF: f64 = 1e-5;
-        let own: Vec<Complex> =
+        let multipliers: Vec<Complex> =
             self.multipliers.iter().copied().filter(|multiplier| multiplier.im > 0.0).collect();
-        let pairs = (0..own.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
-        let apart = |&(i, j): &(usize, usize)| (own[i] - own[j]).abs();
+        let pairs = (0..multipliers.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
+        let apart = |&(i, j): &(usize, usize)| (multipliers[i] - multipliers[j]).abs();
         let nearest = pairs.min_by(|a, b| apart(a).total_cmp(&apart(b)));
-        nearest.is_some_and(|(i, j)| [own[i], own[j]].iter().all(|it| (it.abs() - 1.0).abs() < OFF))
+        nearest.is_some_and(|(i, j)| {
+            [multipliers[i], multipliers[j]].iter().all(|it| (it.abs() - 1.0).abs() < OFF)
+        })
     }
 }
 

@@ -111,21 +111,21 @@ impl PreciseSearch<'_> {
         let units = &self.units[self.units.len() - start.len()..];
         let slopes = self.singular.slopes(&start, units, TOLERANCES[0])?;
         let big = |x: f64| BigFloat::from_f64(x, self.ring.precision);
-        let mut place: Vec<BigFloat> = start.iter().map(|x| big(*x)).collect::<Option<_>>()?;
+        let mut unknowns: Vec<BigFloat> = start.iter().map(|x| big(*x)).collect::<Option<_>>()?;
         let order = u32::try_from(self.ring.precision / 3).ok()?;
         let wanted = libm::exp10(-f64::from(self.digits) - 3.0);
         let mut before = f64::INFINITY;
         for _ in 0..MOST_ROUNDS {
-            let change = self.change(&slopes, &place, units, order)?;
+            let change = self.change(&slopes, &unknowns, units, order)?;
             let size = norm(&change);
             if !size.is_finite() || size > before {
                 return None;
             }
-            for ((number, change), unit) in place.iter_mut().zip(&change).zip(units) {
+            for ((number, change), unit) in unknowns.iter_mut().zip(&change).zip(units) {
                 *number = self.ring.add(number, &big(change * unit)?);
             }
             if size < wanted {
-                return self.with_error(&slopes, place, units, order);
+                return self.with_error(&slopes, unknowns, units, order);
             }
             before = size;
         }
@@ -157,11 +157,11 @@ impl PreciseSearch<'_> {
         let ring = self.ring;
         let shifted = |by: i64| -> Vec<Vec<BigFloat>> {
             let shift = BigFloat::from_integer(by, ring.precision);
-            let own = |(i, row): (usize, &Vec<BigFloat>)| {
+            let shifted_row = |(i, row): (usize, &Vec<BigFloat>)| {
                 let entry = |(j, x): (usize, &BigFloat)| if i == j { ring.add(x, &shift) } else { x.clone() };
                 row.iter().enumerate().map(entry).collect()
             };
-            image.map.iter().enumerate().map(own).collect()
+            image.map.iter().enumerate().map(shifted_row).collect()
         };
         Some(match self.singular.test {
             Test::Fold | Test::Branching => determinant(ring, &shifted(-1))?.to_f64(),

@@ -45,13 +45,13 @@ impl<'w> PreciseFlow<'w> {
         signs: &'w [f64],
         watch: &'w Watch<'w>,
     ) -> Result<Self, BranchError> {
-        let own = StateLayout::new(equation);
-        let with_derivatives = with_sensitivities(equation, &[], own.numbers());
+        let layout = StateLayout::new(equation);
+        let with_derivatives = with_sensitivities(equation, &[], layout.numbers());
         let all = StateLayout::new(&with_derivatives);
         let mut inputs = all.symbols(with_derivatives.variables());
         inputs.extend([Symbol::plain("t"), Symbol::plain(parameter)]);
         let tape = Tape::new(&with_derivatives.derivatives().iter().collect::<Vec<_>>(), &inputs)?;
-        Ok(Self { own, all, tape, law: DriveLaw::new(equation, &[parameter])?, signs, watch })
+        Ok(Self { own: layout, all, tape, law: DriveLaw::new(equation, &[parameter])?, signs, watch })
     }
 
     /// The image of a state, by series to an order; `None` if the motion cannot be integrated.
@@ -64,18 +64,18 @@ impl<'w> PreciseFlow<'w> {
     ) -> Option<PreciseImage> {
         let parameter = parameter.first()?;
         let numbers = self.own.numbers();
-        let place = |number: usize, copy: usize| self.own.place_in_copy(number, copy, numbers);
+        let address = |number: usize, copy: usize| self.own.place_in_copy(number, copy, numbers);
         let mut now = vec![ring.zero(); self.all.numbers()];
         for (number, value) in state.iter().enumerate() {
-            now[place(number, 0)] = value.clone();
-            now[place(number, 1 + number)] = BigFloat::from_integer(1, ring.precision);
+            now[address(number, 0)] = value.clone();
+            now[address(number, 1 + number)] = BigFloat::from_integer(1, ring.precision);
         }
         let halves = i64::from(space.half_periods);
         let duration = ring.times_integer(&self.law.precise_period(ring, parameter)?, halves).halved();
         let end = self.end(ring, order, now, [&duration, parameter])?;
         let signed = |number: usize, copy: usize| match space.mirrored && self.signs[number] < 0.0 {
-            true => ring.negate(&end[place(number, copy)]),
-            false => end[place(number, copy)].clone(),
+            true => ring.negate(&end[address(number, copy)]),
+            false => end[address(number, copy)].clone(),
         };
         let row = |number: usize| (0..numbers).map(|start| signed(number, 1 + start)).collect();
         let turn = ring.times_integer(&BigFloat::pi(ring.precision), 2);

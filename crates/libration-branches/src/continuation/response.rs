@@ -140,48 +140,48 @@ impl Search<'_> {
     /// The motions to begin with at the ends of the range, or at the given value, with the direction into the range.
     fn starts_of_range(&self) -> Vec<((f64, f64), Result<Vec<Start>, BranchError>)> {
         let [low, high] = self.range;
-        let places = self.options.at.map_or(vec![(low, 1.0), (high, -1.0)], |at| vec![(at, 1.0)]);
-        places.into_iter().map(|place| (place, self.starts(place.0))).collect()
+        let beginnings = self.options.at.map_or(vec![(low, 1.0), (high, -1.0)], |at| vec![(at, 1.0)]);
+        beginnings.into_iter().map(|begin_at| (begin_at, self.starts(begin_at.0))).collect()
     }
 
     fn response(
         &self,
         starts: Vec<((f64, f64), Result<Vec<Start>, BranchError>)>,
     ) -> Result<Response, BranchError> {
-        let mut found = FollowedBranches::default();
+        let mut followed = FollowedBranches::default();
         let mut missing: Vec<(f64, BranchError)> = vec![];
-        let places: Vec<(f64, f64)> = starts.iter().map(|(place, _)| *place).collect();
-        for (place, starts) in starts {
+        let beginnings: Vec<(f64, f64)> = starts.iter().map(|(begin_at, _)| *begin_at).collect();
+        for (begin_at, starts) in starts {
             match starts {
-                Ok(starts) => self.begin(&mut found, &mut missing, place, starts),
-                Err(BranchError::Interrupted(interrupted)) if found.branches.is_empty() => {
+                Ok(starts) => self.begin(&mut followed, &mut missing, begin_at, starts),
+                Err(BranchError::Interrupted(interrupted)) if followed.branches.is_empty() => {
                     return Err(interrupted.into());
                 }
-                Err(error) => missing.push((place.0, error)),
+                Err(error) => missing.push((begin_at.0, error)),
             }
         }
         let mut orders = vec![];
         for order in &self.options.orders {
-            orders.push(self.of_order(*order, &mut found.branches, |walked| {
-                found.leaving.extend(self.leaving(walked, 0));
+            orders.push(self.of_order(*order, &mut followed.branches, |walked| {
+                followed.leaving.extend(self.leaving(walked, 0));
             })?);
         }
-        self.follow_all(&mut found);
+        self.follow_all(&mut followed);
         // A further motion may lie on a secondary branch.
-        for place in places {
-            let further = self.further_starts(place.0);
+        for begin_at in beginnings {
+            let further = self.further_starts(begin_at.0);
             if !further.is_empty() {
-                missing.retain(|(value, _)| value.to_bits() != place.0.to_bits());
+                missing.retain(|(value, _)| value.to_bits() != begin_at.0.to_bits());
             }
-            self.begin(&mut found, &mut missing, place, further);
-            self.follow_all(&mut found);
+            self.begin(&mut followed, &mut missing, begin_at, further);
+            self.follow_all(&mut followed);
         }
-        if found.branches.is_empty()
+        if followed.branches.is_empty()
             && let Some((_, error)) = missing.pop()
         {
             return Err(error);
         }
-        let branches = found.branches;
+        let branches = followed.branches;
         let jumps = jumps(&branches, |space| self.corrector(space), self.width());
         let (driven, interrupted) = (self.family.is_driven(), self.family.watch.is_stopped());
         Ok(Response { branches, orders, jumps, missing, driven, interrupted })
@@ -261,9 +261,10 @@ impl Search<'_> {
     /// The motion to which Newton's method converges at a value of the parameter.
     fn corrected(&self, value: f64, start: &Start) -> Option<Start> {
         let corrector = self.corrector(start.space);
-        let place: Vec<f64> = start.unknowns.iter().copied().chain([value]).collect();
-        let along: Vec<f64> = (0..place.len()).map(|j| if j + 1 < place.len() { 0.0 } else { 1.0 }).collect();
-        let node = Node::near(&corrector, &place, [&along, &along], self.width())?;
+        let unknowns: Vec<f64> = start.unknowns.iter().copied().chain([value]).collect();
+        let along: Vec<f64> =
+            (0..unknowns.len()).map(|j| if j + 1 < unknowns.len() { 0.0 } else { 1.0 }).collect();
+        let node = Node::near(&corrector, &unknowns, [&along, &along], self.width())?;
         Some(Start { unknowns: corrector.unknowns(&node.point), space: start.space })
     }
 

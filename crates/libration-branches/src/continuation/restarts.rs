@@ -85,12 +85,14 @@ impl Walk<'_> {
         let along: Vec<f64> =
             node.direction.iter().enumerate().map(|(j, x)| if j < numbers { 0.0 } else { *x }).collect();
         let from = |state: Vec<f64>| {
-            let place: Vec<f64> = state.into_iter().chain(node.place()[numbers..].iter().copied()).collect();
-            let corrected = self.corrector.corrected(&place, &in_units(&along, units), units)?;
+            let position: Vec<f64> =
+                state.into_iter().chain(node.place()[numbers..].iter().copied()).collect();
+            let corrected = self.corrector.corrected(&position, &in_units(&along, units), units)?;
             Node::new(&self.corrector, corrected, &along, units)
         };
-        let turns =
-            steps.iter().flat_map(|own| turns_in(own, 0, 0.0, duration).into_iter().map(move |it| (own, it)));
-        Some(turns.filter_map(|(own, time)| from(own.step().state_at(time))).collect())
+        let turns = steps
+            .iter()
+            .flat_map(|owned| turns_in(owned, 0, 0.0, duration).into_iter().map(move |it| (owned, it)));
+        Some(turns.filter_map(|(owned, time)| from(owned.step().state_at(time))).collect())
     }
 }

@@ -33,7 +33,7 @@ impl Search<'_> {
         let space = Space { rotation: Some(rotation), ..self.space() };
         let none = || BranchError::NoRotation { turns: rotation.turns, drive_periods: space.drive_periods() };
         let duration = self.family.duration(space, &[], &[value]).ok_or_else(none)?;
-        let mut found: Vec<(Start, Vec<Vec<f64>>)> = vec![];
+        let mut starts: Vec<(Start, Vec<Vec<f64>>)> = vec![];
         for phase in 0..PHASES {
             let angle = TAU * f64::from(phase) / f64::from(PHASES);
             let Some(start) = self.rotating_from(space, self.even(rotation, angle, duration), value) else {
@@ -44,12 +44,12 @@ impl Search<'_> {
             const SAME: f64 = 1e-7;
             let sizes = self.family.sizes_of(&start.unknowns, value, 1.0);
             let is_same = |copy: &Vec<f64>| self.turns.are_near(copy, &start.unknowns, &sizes, SAME);
-            if !found.iter().flat_map(|(_, copies)| copies).any(is_same) {
+            if !starts.iter().flat_map(|(_, copies)| copies).any(is_same) {
                 let copies = self.copies(&start, value).unwrap_or_default();
-                found.push((start, copies));
+                starts.push((start, copies));
             }
         }
-        if found.is_empty() { Err(none()) } else { Ok(found.into_iter().map(|(start, _)| start).collect()) }
+        if starts.is_empty() { Err(none()) } else { Ok(starts.into_iter().map(|(start, _)| start).collect()) }
     }
 
     /// The given state, rotated by an angle, at the speed of the uniform rotation.
@@ -70,9 +70,9 @@ impl Search<'_> {
         let [periods, trials] = SETTLING;
         let period = self.family.drive_period(&[value])?;
         for _ in 0..trials {
-            let place: Vec<f64> = state.iter().copied().chain([value]).collect();
-            let units = self.family.first_units(&place, 1.0);
-            if let Some(corrected) = corrector.corrected(&place, &across, &units) {
+            let position: Vec<f64> = state.iter().copied().chain([value]).collect();
+            let units = self.family.first_units(&position, 1.0);
+            if let Some(corrected) = corrector.corrected(&position, &across, &units) {
                 let mut unknowns = corrected.place;
                 unknowns.pop();
                 let angle = &mut unknowns[space.rotation?.coordinate];

@@ -55,8 +55,8 @@ impl Search<'_> {
             if family.signs[number] < 0.0 { [-high, -low] } else { [low, high] }
         };
         let pairs = || ranges.iter().copied().zip(point.ranges.iter().copied()).enumerate();
-        pairs().all(|(_, (own, other))| is_near(own, other))
-            || pairs().all(|(number, (own, other))| is_near(mirrored(number, own), other))
+        pairs().all(|(_, (range, other))| is_near(range, other))
+            || pairs().all(|(number, (range, other))| is_near(mirrored(number, range), other))
     }
 
     /// The equations at a value of the parameter.
@@ -170,16 +170,16 @@ impl Search<'_> {
         /// Largest distance of a second multiplier from 1, half the digits, at which an autonomous motion counts as a member of a family.
         const FAMILY: f64 = 1e-6;
         let corrector = self.corrector(self.smallest(start.space, &start.unknowns, value));
-        let place: Vec<f64> = start.unknowns.iter().copied().chain([value]).collect();
+        let unknowns: Vec<f64> = start.unknowns.iter().copied().chain([value]).collect();
         if !self.family.is_driven() {
-            let tests = corrector.image(&place).and_then(|image| Tests::new(&image, 0.0));
+            let tests = corrector.image(&unknowns).and_then(|image| Tests::new(&image, 0.0));
             if tests.is_some_and(|tests| tests.branching.abs() < FAMILY) {
                 return Err(BranchError::Family);
             }
         }
-        let mut along = vec![0.0; place.len()];
-        along[place.len() - 1] = into;
-        let node = Node::near(&corrector, &place, [&along, &along], self.width());
+        let mut along = vec![0.0; unknowns.len()];
+        along[unknowns.len() - 1] = into;
+        let node = Node::near(&corrector, &unknowns, [&along, &along], self.width());
         Ok(node.map(|node| {
             let limits = self.limits(&node, start.space);
             Walk::new(corrector, limits, node).walked(Origin::Primary)

@@ -193,10 +193,10 @@ impl Stretch<'_> {
 
     /// The Hopf point where the branch turns, if its motion is an equilibrium there and no drive sets the period.
     pub(super) fn hopf(&self) -> Option<SpecialPoint> {
-        let place = self.turn();
-        let [unknowns @ .., parameter] = &place[..] else { return None };
+        let turn = self.turn();
+        let [unknowns @ .., parameter] = &turn[..] else { return None };
         let Corrector { family, .. } = self.corrector;
-        let is_rest = self.speed(&place).is_some_and(|speed| speed < REST);
+        let is_rest = self.speed(&turn).is_some_and(|speed| speed < REST);
         let (period, width) = (*unknowns.last()?, *self.units.last()?);
         let field = family.field().filter(|_| is_rest)?;
         let point = hopf(field, family.state(unknowns), [period, *parameter], width)?;
@@ -208,16 +208,16 @@ impl Stretch<'_> {
     pub(super) fn meeting(&self) -> Option<Meeting> {
         /// Largest defect relative to the size of the motion; on a short stretch the error of the interpolation is much smaller.
         const SAME: f64 = 1e-3;
-        let place = self.turn();
-        let (parameter, unknowns) = place.split_last()?;
+        let turn = self.turn();
+        let (parameter, unknowns) = turn.split_last()?;
         let Corrector { family, space, .. } = self.corrector;
         let meeting = |space: Space, unknowns: Vec<f64>| Meeting { parameter: *parameter, unknowns, space };
         if space.mirrored {
             // The equilibrium.
-            return (family.mirrors_all() && self.size(&place) < REST)
+            return (family.mirrors_all() && self.size(&turn) < REST)
                 .then(|| meeting(Space::of_periods(1), vec![0.0; unknowns.len()]));
         }
-        Some(meeting(self.smaller_space(&place, SAME)?, unknowns.to_vec()))
+        Some(meeting(self.smaller_space(&turn, SAME)?, unknowns.to_vec()))
     }
 
     /// Returns `true` if the step leads from a motion of this space to one with half the period or with a symmetry: next to a point where
@@ -254,16 +254,17 @@ impl Stretch<'_> {
         ];
         let wanted: Vec<Test> =
             wanted.into_iter().filter(|(changes, _)| *changes).map(|(_, it)| it).collect();
-        let mut found: Vec<(f64, Located)> = wanted.iter().filter_map(|test| self.located(*test)).collect();
-        let are_all = found.len() == wanted.len();
-        found.sort_by(|a, b| a.0.total_cmp(&b.0));
-        (found.into_iter().map(|(_, located)| located).collect(), are_all)
+        let mut specials: Vec<(f64, Located)> =
+            wanted.iter().filter_map(|test| self.located(*test)).collect();
+        let are_all = specials.len() == wanted.len();
+        specials.sort_by(|a, b| a.0.total_cmp(&b.0));
+        (specials.into_iter().map(|(_, located)| located).collect(), are_all)
     }
 
     fn located(&self, test: Test) -> Option<(f64, Located)> {
         let crosses = test == Test::Branching || (test == Test::Fold && self.may_cross_other_branch());
-        let found = if test == Test::Fold && crosses { None } else { self.located_exactly(test) };
-        found.or_else(|| if crosses { self.crossing(test) } else { self.enclosed_fold(test) })
+        let exactly = if test == Test::Fold && crosses { None } else { self.located_exactly(test) };
+        exactly.or_else(|| if crosses { self.crossing(test) } else { self.enclosed_fold(test) })
     }
 
     /// A fold between two nodes that are closer than motions can be corrected, as where the branch turns within the last digits of the parameter: at
@@ -274,8 +275,8 @@ impl Stretch<'_> {
         let steepest = a.tests.fold.abs().max(b.tests.fold.abs());
         let way = norm(&difference(a.place(), b.place(), self.units)) * self.units.last()?;
         let apart = (a.point.parameter - b.point.parameter).abs();
-        let own = parameter_error(&flatter.corrected, &flatter.direction, self.units)?;
-        let error = own + apart + steepest * way + f64::EPSILON * flatter.point.parameter.abs();
+        let perpendicular = parameter_error(&flatter.corrected, &flatter.direction, self.units)?;
+        let error = perpendicular + apart + steepest * way + f64::EPSILON * flatter.point.parameter.abs();
         let special =
             SpecialPoint { kind: SpecialKind::Fold, point: flatter.point.clone(), error, before: 0 };
         (test == Test::Fold).then(|| (0.5, Located { special, node: flatter.clone() }))
@@ -298,9 +299,14 @@ impl Stretch<'_> {
             let [a, b] = [s - aside, s + aside].map(|s| self.node_at(corrector, s));
             let [a, b] = Some([a?, b?]).filter(|[a, b]| test.changes(a, b))?;
             let [from, to] = [&a, &b].map(|node| test.of(&node.tests));
-            let place = between(&a, &b, self.units, from / (from - to));
-            let corrected =
-                Corrected { image: corrector.image(&place)?, place, first: 0.0, map_slope: 1.0, stale: 0.0 };
+            let unknowns = between(&a, &b, self.units, from / (from - to));
+            let corrected = Corrected {
+                image: corrector.image(&unknowns)?,
+                place: unknowns,
+                first: 0.0,
+                map_slope: 1.0,
+                stale: 0.0,
+            };
             let node = Node::new(corrector, corrected, &a.direction, self.units)?;
             Some((node, [a, b]))
         };
@@ -310,9 +316,10 @@ impl Stretch<'_> {
         });
         let [(node, [a, b]), (again, _)] = both.next()?;
         let off = |beside: &Node| (beside.point.parameter - node.point.parameter).abs();
-        let own = [&a, &b].map(|it| parameter_error(&it.corrected, &it.direction, self.units).unwrap_or(0.0));
+        let errors =
+            [&a, &b].map(|it| parameter_error(&it.corrected, &it.direction, self.units).unwrap_or(0.0));
         let missed = off(&a).max(off(&b)) + off(&again) + f64::EPSILON * node.point.parameter.abs();
-        let error = own[0].max(own[1]) + 4.0 * (missed + left_of(test, [&node, &again], [&a, &b]));
+        let error = errors[0].max(errors[1]) + 4.0 * (missed + left_of(test, [&node, &again], [&a, &b]));
         let kind = self.kind(Test::Branching, &node);
         let special = SpecialPoint { kind, point: node.point.clone(), error, before: 0 };
         Some((s, Located { special, node }))

@@ -123,9 +123,9 @@ impl Response {
     fn stable_at(&self, end: f64) -> Option<&[f64]> {
         let mut points =
             self.branches.iter().flat_map(|branch| [branch.points.first(), branch.points.last()]);
-        let found = points
+        let start = points
             .find_map(|point| point.filter(|it| it.is_stable() && it.parameter.to_bits() == end.to_bits()));
-        found.map(|point| &point.state[..])
+        start.map(|point| &point.state[..])
     }
 }
 

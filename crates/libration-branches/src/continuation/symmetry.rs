@@ -91,7 +91,7 @@ impl Trial<'_> {
     fn scales(&self) -> impl Iterator<Item = f64> + use<> {
         let kink = |operation: &Operation| matches!(operation, Operation::Abs(_) | Operation::Sign(_));
         let operations = self.rates.operations().iter().enumerate();
-        let has_kinks = operations.into_iter().any(|(place, it)| kink(it) && !self.rates.is_constant(place));
+        let has_kinks = operations.into_iter().any(|(slot, it)| kink(it) && !self.rates.is_constant(slot));
         let [least, most] = if has_kinks { SCALES } else { [0, 0] };
         let other = Some(self.scale).filter(|scale| scale.total_cmp(&1.0).is_ne());
         (least..=most).step_by(2).map(|power| libm::ldexp(1.0, power)).chain(other)
@@ -129,11 +129,11 @@ impl Trial<'_> {
         let pace = self.law.map_or(1.0, |_| TAU / period.abs());
         let units = self.layout.arrange(vec![1.0; self.layout.coordinates()], |_| pace);
         let state: Vec<f64> = (10..).zip(units).map(|(k, unit)| scale * unit * drawn(k)).collect();
-        let (own, size) = self.values(state.iter().copied(), time, &parameters)?;
+        let (values, size) = self.values(state.iter().copied(), time, &parameters)?;
         let image = state.iter().zip(self.of_state(mirror)).map(|(x, sign)| sign * x);
         let (mirrored, other) = self.values(image, time + shift * period, &parameters)?;
         let rounding = ROUNDINGS * f64::EPSILON * count(self.rates.operations().len()) * size.max(other);
-        let differences = own.iter().zip(&mirrored).zip(mirror).map(|((a, b), sign)| (sign * a - b).abs());
+        let differences = values.iter().zip(&mirrored).zip(mirror).map(|((a, b), sign)| (sign * a - b).abs());
         Some(differences.fold(0.0, f64::max) <= rounding)
     }
 

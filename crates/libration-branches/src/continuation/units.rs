@@ -45,15 +45,15 @@ impl Family<'_> {
 
     /// The sizes of the components of a state for motions of the scale of the family with a period.
     pub(super) fn sizes_in(&self, period: f64) -> Vec<f64> {
-        let places = (0..self.layout.coordinates()).map(|_| self.scale);
-        self.layout.arrange(places, |_| self.scale * TAU / period.abs())
+        let sizes = (0..self.layout.coordinates()).map(|_| self.scale);
+        self.layout.arrange(sizes, |_| self.scale * TAU / period.abs())
     }
 
     /// The sizes of the components of a state at a value of the parameter: an amplitude and its velocity, as large as its largest component, and at
     /// least a part of the scale of the family.
     pub(super) fn sizes_of(&self, unknowns: &[f64], value: f64, part: f64) -> Vec<f64> {
-        let own = unknowns.get(self.layout.numbers()).copied();
-        let units = self.sizes_in(self.drive_period(&[value]).or(own).unwrap_or(TAU));
+        let period = unknowns.get(self.layout.numbers()).copied();
+        let units = self.sizes_in(self.drive_period(&[value]).or(period).unwrap_or(TAU));
         let of_component = |(x, unit): (&f64, &f64)| (x / unit).abs();
         let largest = self.state(unknowns).iter().zip(&units).map(of_component).fold(part, f64::max);
         units.into_iter().map(|unit| largest * unit).collect()
@@ -67,8 +67,8 @@ impl Family<'_> {
             let [low, high] = point.ranges[coordinate];
             (0.5 * (high - low)).max(HARDLY * largest)
         };
-        let places = (0..self.layout.coordinates()).map(swing);
-        let sizes = self.layout.arrange(places, |coordinate| swing(coordinate) * TAU / point.period);
+        let of_coordinates = (0..self.layout.coordinates()).map(swing);
+        let sizes = self.layout.arrange(of_coordinates, |coordinate| swing(coordinate) * TAU / point.period);
         let period = (!self.is_driven()).then_some(point.period);
         sizes.into_iter().chain(period).chain([width]).collect()
     }

@@ -70,11 +70,11 @@ impl Melnikov {
     }
 
     fn new(pendulum: &PerturbedPendulum, direction: f64, found: Vec<(Complex, f64)>) -> Self {
-        let mut found = found.into_iter();
-        let (mean, mean_error) = found.next().unwrap_or_default();
+        let mut coefficients = found.into_iter();
+        let (mean, mean_error) = coefficients.next().unwrap_or_default();
         // e^{−ikΩt} has the conjugate coefficient.
         let mut harmonics: Vec<(Complex, f64)> =
-            found.map(|(value, error)| (value.scaled(2.0), 2.0 * error)).collect();
+            coefficients.map(|(value, error)| (value.scaled(2.0), 2.0 * error)).collect();
         while harmonics.last().is_some_and(|(value, error)| value.abs() <= *error) {
             harmonics.pop();
         }
@@ -105,8 +105,8 @@ impl Melnikov {
         if let [only] = &self.harmonics[..] {
             return [-only.abs(), only.abs()];
         }
-        let places = self.zeros_of(&|phase| self.wave(phase, 1));
-        let values = places.into_iter().map(|phase| self.wave(phase, 0));
+        let phases = self.zeros_of(&|phase| self.wave(phase, 1));
+        let values = phases.into_iter().map(|phase| self.wave(phase, 0));
         values.fold([0.0, 0.0], |[least, most], value| [least.min(value), most.max(value)])
     }
 
@@ -141,20 +141,20 @@ impl Melnikov {
     /// The phases Ωt0 within 0 … 2π at which M vanishes, each with the derivative of M with respect to the phase.
     #[must_use]
     pub fn zeros(&self) -> Vec<(f64, f64)> {
-        let places = self.zeros_of(&|phase| self.at_phase(phase));
-        places.into_iter().map(|phase| (phase, self.wave(phase, 1))).collect()
+        let phases = self.zeros_of(&|phase| self.at_phase(phase));
+        phases.into_iter().map(|phase| (phase, self.wave(phase, 1))).collect()
     }
 
     fn zeros_of(&self, f: &dyn Fn(f64) -> f64) -> Vec<f64> {
-        let places = PLACES * self.harmonics.len();
-        let place = |j: usize| TAU * count(j) / count(places);
-        let ends: Vec<(f64, f64)> = (0..=places).map(|j| (place(j), f(place(j)))).collect();
+        let intervals = PLACES * self.harmonics.len();
+        let time = |j: usize| TAU * count(j) / count(intervals);
+        let ends: Vec<(f64, f64)> = (0..=intervals).map(|j| (time(j), f(time(j)))).collect();
         // A zero at an end belongs to the interval that begins there.
-        let own = |pair: &[(f64, f64)]| {
-            let found = (pair[1].1 != 0.0).then(|| zero_between([pair[0], pair[1]], Tolerance::LAST_BIT, f));
-            found.flatten()
+        let zero = |pair: &[(f64, f64)]| {
+            let zero = (pair[1].1 != 0.0).then(|| zero_between([pair[0], pair[1]], Tolerance::LAST_BIT, f));
+            zero.flatten()
         };
-        ends.windows(2).filter_map(own).collect()
+        ends.windows(2).filter_map(zero).collect()
     }
 }
 
@@ -185,8 +185,8 @@ pub struct Threshold {
 /// # extern crate libration_branches as libration;
 /// use libration::melnikov::thresholds;
 /// use libration::progress::Quiet;
-/// let found = thresholds(&"x'' + 0.1 x' + sin(x) = A cos(t)".parse()?, "A", [0.0, 1.0], &Quiet)?;
-/// assert!((found[0].value - 0.319_478_526_382_585_2).abs() < 1e-15);
+/// let values = thresholds(&"x'' + 0.1 x' + sin(x) = A cos(t)".parse()?, "A", [0.0, 1.0], &Quiet)?;
+/// assert!((values[0].value - 0.319_478_526_382_585_2).abs() < 1e-15);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn thresholds(
@@ -202,15 +202,16 @@ pub fn thresholds(
         return Err(MelnikovError::Range { from, to });
     }
     let at = |value: f64| at_value(equation, parameter, value, watch);
-    let place = |j: u32| if j == LOOKS { to } else { from + (to - from) * f64::from(j) / f64::from(LOOKS) };
+    let value_at =
+        |j: u32| if j == LOOKS { to } else { from + (to - from) * f64::from(j) / f64::from(LOOKS) };
     watch.begin(Stage::Whole, Some(LOOKS as usize + 1));
     let look = |(done, j): (usize, u32)| {
         watch.reached(done)?;
-        Ok((place(j), at(place(j))?))
+        Ok((value_at(j), at(value_at(j))?))
     };
     let looks = (0..).zip(0..=LOOKS).map(look);
     let looks = looks.collect::<Result<Vec<_>, MelnikovError>>()?;
-    let mut found = vec![];
+    let mut thresholds = vec![];
     for side in [0, 1] {
         let margin = |value: f64| at(value).map_or(f64::NAN, |both| both[side].margin());
         for pair in looks.windows(2) {
@@ -226,12 +227,12 @@ pub fn thresholds(
                 continue;
             }
             let slope = (after - before) / (2e-4 * width);
-            let own = &at(value)?[side];
-            let error = own.error() / slope.abs() + f64::EPSILON * value.abs();
-            found.push(Threshold { direction: own.direction, value, error, above: slope > 0.0 });
+            let function = &at(value)?[side];
+            let error = function.error() / slope.abs() + f64::EPSILON * value.abs();
+            thresholds.push(Threshold { direction: function.direction, value, error, above: slope > 0.0 });
         }
     }
-    Ok(found)
+    Ok(thresholds)
 }
 
 fn at_value(

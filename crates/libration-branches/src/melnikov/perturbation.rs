@@ -105,18 +105,19 @@ impl PerturbedPendulum {
 
     /// The coefficients of e^{ikΩt} in the perturbation at an angle and a velocity, from k = 0 on, and the magnitude of the omitted ones.
     pub(super) fn harmonics_at(&self, angle: f64, velocity: f64) -> (Vec<Complex>, f64) {
-        let mut found = vec![Complex::default(); self.harmonics() + 1];
+        let mut coefficients = vec![Complex::default(); self.harmonics() + 1];
         let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
         for (monomial, coefficient) in &self.closed.terms {
             if let Ok(k) = usize::try_from(monomial.harmonic) {
                 let size = power(velocity, monomial.velocity)
                     * power(sine, monomial.sines)
                     * power(cosine, monomial.cosines);
-                found[k] = found[k] + coefficient.scaled(size);
+                coefficients[k] = coefficients[k] + coefficient.scaled(size);
             }
         }
-        let left = self.rest.as_ref().map_or(0.0, |tape| self.add_rest(tape, [angle, velocity], &mut found));
-        (found, left)
+        let left =
+            self.rest.as_ref().map_or(0.0, |tape| self.add_rest(tape, [angle, velocity], &mut coefficients));
+        (coefficients, left)
     }
 
     fn add_rest(&self, tape: &Tape, [angle, velocity]: [f64; 2], found: &mut [Complex]) -> f64 {
@@ -133,8 +134,8 @@ impl PerturbedPendulum {
             let turn = |j: u32| Complex::unit(-TAU * phase(j * k % PHASES));
             (0..PHASES).zip(&values).map(|(j, value)| turn(j).scaled(value / f64::from(PHASES))).sum()
         };
-        for (k, place) in (0..).zip(found.iter_mut()).take(HARMONICS + 1) {
-            *place = *place + coefficient(k);
+        for (k, amplitude) in (0..).zip(found.iter_mut()).take(HARMONICS + 1) {
+            *amplitude = *amplitude + coefficient(k);
         }
         let above = u32::try_from(HARMONICS).unwrap_or(u32::MAX) + 1..=PHASES / 2;
         above.map(|k| coefficient(k).abs()).fold(0.0, f64::max)
@@ -149,7 +150,7 @@ fn separated(acceleration: &Expression, names: &Names) -> (Trigonometric, Vec<Ex
     let mut rest = vec![];
     for term in terms {
         match Trigonometric::from_tree(&term, names) {
-            Some(own) => closed = closed.plus(&own),
+            Some(sum) => closed = closed.plus(&sum),
             None => rest.push(term),
         }
     }

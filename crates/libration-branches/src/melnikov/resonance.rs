@@ -95,7 +95,7 @@ impl PerturbedPendulum {
         let harmonics = u32::try_from(self.harmonics()).unwrap_or(0);
         let pairs = || (1..=harmonics).flat_map(move |p| (1..=largest).map(move |q| (p, q)));
         watch.begin(Stage::Whole, Some(pairs().count()));
-        let mut found = vec![];
+        let mut resonances = vec![];
         for (done, (p, q)) in pairs().filter(|(p, q)| gcd(*p, *q) == 1).enumerate() {
             watch.reached(done)?;
             let frequency = drive * f64::from(p) / f64::from(q);
@@ -103,15 +103,15 @@ impl PerturbedPendulum {
             let directions = motions.into_iter().zip([0.0, 1.0, -1.0]);
             for (motion, direction) in directions {
                 let Some(motion) = motion else { continue };
-                found.extend(self.resonance([p, q], direction, motion, watch)?);
+                resonances.extend(self.resonance([p, q], direction, motion, watch)?);
             }
         }
         // 0, 1, −1.
         let regime = |resonance: &DriveResonance| (resonance.direction - 0.4).abs();
-        found.sort_by(|a, b| {
+        resonances.sort_by(|a, b| {
             regime(a).total_cmp(&regime(b)).then(a.motion.action().total_cmp(&b.motion.action()))
         });
-        Ok(found)
+        Ok(resonances)
     }
 
     fn pendulum(&self) -> Option<Pendulum> {

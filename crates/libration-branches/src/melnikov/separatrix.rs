@@ -73,8 +73,8 @@ pub fn sech_power(n: u32, w: f64) -> f64 {
     };
     let mut k = first;
     while k < n {
-        let own = f64::from(k);
-        integral *= (own * own + w * w) / (own * (own + 1.0));
+        let power = f64::from(k);
+        integral *= (power * power + w * w) / (power * (power + 1.0));
         k += 2;
     }
     integral

@@ -139,15 +139,15 @@ impl Approach<'_> {
         let farther = self.nearest(value, 2.0 * DISTANCE, nearest.time, NEXT)?;
         let start = (farther.separation - nearest.separation).abs();
         let error = change + (start + nearest.separation_error) / slope.abs();
-        let place = self.nearest(value, DISTANCE, nearest.time, SHORTER)?;
+        let shorter = self.nearest(value, DISTANCE, nearest.time, SHORTER)?;
         let pendulum = PerturbedPendulum::new(&with_value(self.equation, self.parameter, value)?)?;
         let frequency = pendulum.frequency().ok_or(TangencyError::NoSaddle)?;
-        let time_error = (place.time - nearest.time).abs() + place.time_rounding;
+        let time_error = (shorter.time - nearest.time).abs() + shorter.time_rounding;
         Ok(Tangency {
             value,
             error,
-            phase: (frequency * place.time).rem_euclid(TAU),
-            velocity: place.velocity,
+            phase: (frequency * shorter.time).rem_euclid(TAU),
+            velocity: shorter.velocity,
             place_error: frequency * time_error + error,
         })
     }
@@ -156,8 +156,8 @@ impl Approach<'_> {
     fn first_time(&self, threshold: f64) -> Result<f64, TangencyError> {
         const PLACES: usize = 64;
         let melnikov = self.melnikov(threshold)?;
-        let places = PLACES * melnikov.harmonics.len().max(1);
-        let phases = (0..places).map(|j| TAU * count(j) / count(places));
+        let intervals = PLACES * melnikov.harmonics.len().max(1);
+        let phases = (0..intervals).map(|j| TAU * count(j) / count(intervals));
         let nearest =
             phases.min_by(|a, b| melnikov.at_phase(*a).abs().total_cmp(&melnikov.at_phase(*b).abs()));
         Ok(nearest.unwrap_or(0.0) / melnikov.frequency)

@@ -43,7 +43,7 @@ impl Trigonometric {
     /// The formula as such a sum; `None` if it is not one, or has too many terms.
     pub(super) fn from_tree(formula: &Expression, names: &Names) -> Option<Self> {
         let of = |part: &Expression| Self::from_tree(part, names);
-        let found = match formula {
+        let sum = match formula {
             _ if formula.symbols().is_empty() => Self::constant(formula.to_f64()?),
             Expression::Symbol(symbol) if *symbol == names.velocity => {
                 Self::of(Monomial { velocity: 1, ..ONE }, 1.0.into())
@@ -65,8 +65,8 @@ impl Trigonometric {
             Expression::Call(Function::Cos, a) => Self::wave(a, names)?.parts([0.5.into(); 2]),
             _ => return None,
         };
-        let finite = found.terms.values().all(|coefficient| coefficient.is_finite());
-        (finite && found.terms.len() <= MOST_TERMS).then_some(found)
+        let finite = sum.terms.values().all(|coefficient| coefficient.is_finite());
+        (finite && sum.terms.len() <= MOST_TERMS).then_some(sum)
     }
 
     fn constant(value: f64) -> Self {
@@ -136,9 +136,9 @@ impl Trigonometric {
     }
 
     fn add(&mut self, monomial: Monomial, value: Complex) {
-        let place = self.terms.entry(monomial).or_default();
-        *place = *place + value;
-        if *place == Complex::default() {
+        let entry = self.terms.entry(monomial).or_default();
+        *entry = *entry + value;
+        if *entry == Complex::default() {
             self.terms.remove(&monomial);
         }
     }

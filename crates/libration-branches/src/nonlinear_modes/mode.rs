@@ -107,24 +107,24 @@ impl NonlinearMode {
             }
             last = *amplitude;
         }
-        let mut found = Self { points: vec![], changes: vec![], lost: None };
+        let mut mode = Self { points: vec![], changes: vec![], lost: None };
         let mut path: Vec<ModePoint> = vec![];
         for amplitude in amplitudes {
-            let known = path.len().saturating_sub(1);
+            let start = path.len().saturating_sub(1);
             let lost = family.extend(&mut path, *amplitude)?;
-            found.changes.extend(family.changes(&path, known)?);
+            mode.changes.extend(family.changes(&path, start)?);
             let reached = path.last().map_or(0.0, |point| point.amplitude);
             match (path.last(), lost) {
-                (Some(point), None) => found.points.push(point.clone()),
+                (Some(point), None) => mode.points.push(point.clone()),
                 (_, Some(reason)) => {
-                    found.lost = Some(LostMode { reached, reason });
+                    mode.lost = Some(LostMode { reached, reason });
                     break;
                 }
                 (None, None) => {}
             }
             path.drain(..path.len().saturating_sub(3));
         }
-        Ok(found)
+        Ok(mode)
     }
 }
 
@@ -169,7 +169,7 @@ impl<'a> ModeFamily<'a> {
         }
         let (mut halvings, mut telling) = (0, None);
         while let Some(last) = path.last().map(|point| point.amplitude).filter(|last| *last < to) {
-            let before = path.len().checked_sub(2).map_or(0.0, |place| path[place].amplitude);
+            let before = path.len().checked_sub(2).map_or(0.0, |index| path[index].amplitude);
             let step = (GROWTH * (last - before)).min(LONGEST * last.max(4.0 * FIRST))
                 * libm::exp2(-f64::from(halvings));
             // The last step is not short.
@@ -197,29 +197,29 @@ impl<'a> ModeFamily<'a> {
     fn linear(&self, amplitude: f64) -> OrbitGuess {
         let scale = Complex::from(amplitude) / self.mode.shape[self.coordinate];
         let parts: Vec<Complex> = self.mode.shape.iter().map(|part| *part * scale).collect();
-        let places = self.rest.iter().zip(&parts).map(|(rest, part)| rest + part.re);
+        let displacements = self.rest.iter().zip(&parts).map(|(rest, part)| rest + part.re);
         let velocities = parts.iter().map(|part| -self.mode.frequency() * part.im);
-        OrbitGuess { state: places.chain(velocities).collect(), period: TAU / self.mode.frequency() }
+        OrbitGuess { state: displacements.chain(velocities).collect(), period: TAU / self.mode.frequency() }
     }
 
     /// The next orbit, extrapolated by the parabola or the line through the last ones.
     fn expected(&self, path: &[ModePoint], amplitude: f64) -> OrbitGuess {
-        let known = &path[path.len().saturating_sub(3)..];
-        if known.len() < 2 {
-            return OrbitGuess { period: known[0].orbit.period(), ..self.linear(amplitude) };
+        let recent = &path[path.len().saturating_sub(3)..];
+        if recent.len() < 2 {
+            return OrbitGuess { period: recent[0].orbit.period(), ..self.linear(amplitude) };
         }
         let weight = |k: usize| -> f64 {
-            let others = (0..known.len()).filter(|j| *j != k);
+            let others = (0..recent.len()).filter(|j| *j != k);
             others
-                .map(|j| (amplitude - known[j].amplitude) / (known[k].amplitude - known[j].amplitude))
+                .map(|j| (amplitude - recent[j].amplitude) / (recent[k].amplitude - recent[j].amplitude))
                 .product()
         };
         let mean = |of: &dyn Fn(&ModePoint) -> f64| -> f64 {
-            known.iter().enumerate().map(|(k, point)| weight(k) * of(point)).sum()
+            recent.iter().enumerate().map(|(k, point)| weight(k) * of(point)).sum()
         };
-        let mut state: Vec<f64> = (0..known[0].start.len()).map(|i| mean(&|point| point.start[i])).collect();
+        let mut state: Vec<f64> = (0..recent[0].start.len()).map(|i| mean(&|point| point.start[i])).collect();
         state[self.coordinate] = self.rest[self.coordinate] + amplitude;
-        let last = known[known.len() - 1].orbit.period();
+        let last = recent[recent.len() - 1].orbit.period();
         let period = mean(&|point| point.orbit.period());
         // A parabola through periods that grow without bound may extrapolate to any value.
         OrbitGuess { state, period: if (period / last - 1.0).abs() < 1.0 { period } else { last } }
@@ -272,7 +272,7 @@ impl<'a> ModeFamily<'a> {
     /// Changes of stability along a path, beginning at one of its orbits.
     fn changes(&self, path: &[ModePoint], from: usize) -> Result<Vec<StabilityChange>, NonlinearModeError> {
         let mut changes = vec![];
-        for (place, pair) in path.windows(2).enumerate().skip(from) {
+        for (index, pair) in path.windows(2).enumerate().skip(from) {
             let stable_above = pair[1].is_stable();
             if pair[0].is_stable() == stable_above {
                 continue;
@@ -280,7 +280,7 @@ impl<'a> ModeFamily<'a> {
             let mut between = [pair[0].amplitude, pair[1].amplitude];
             while between[1] - between[0] > NARROW * between[1] {
                 let middle = 0.5 * (between[0] + between[1]);
-                let guess = self.expected(&path[..=place + 1], middle);
+                let guess = self.expected(&path[..=index + 1], middle);
                 let Ok(point) = self.orbit(middle, guess)? else { break };
                 between[usize::from(point.is_stable() == stable_above)] = middle;
             }

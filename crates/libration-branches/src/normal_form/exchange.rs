@@ -88,8 +88,8 @@ impl NormalForm {
         let about = self.rough_period(mode, slowest, &seen)?;
         let interval = about / count(SAMPLES);
         let path = seen(interval, EXCHANGES * SAMPLES)?;
-        let places: Vec<Place> = path.iter().map(|amplitudes| self.place(mode, amplitudes)).collect();
-        let [frequency, error] = winding(&places, interval, &Scale::of(&places));
+        let points: Vec<Place> = path.iter().map(|amplitudes| self.place(mode, amplitudes)).collect();
+        let [frequency, error] = winding(&points, interval, &Scale::of(&points));
         let ends = |j: usize| {
             let sizes = path.iter().map(|amplitudes| amplitudes[j].abs());
             sizes.fold([f64::INFINITY, 0.0], |[least, most], it| [it.min(least), it.max(most)])
@@ -118,8 +118,8 @@ impl NormalForm {
         let mode = self.exchanging_mode().ok_or(ExchangeError::NoResonance)?;
         let interval = exchange.period / count(SAMPLES);
         let path = self.seen_path(equation, state, interval, EXCHANGES * SAMPLES, &Watch::new(progress))?;
-        let places: Vec<Place> = path.iter().map(|amplitudes| self.place(mode, amplitudes)).collect();
-        let [frequency, error] = winding(&places, interval, &Scale::of(&places));
+        let points: Vec<Place> = path.iter().map(|amplitudes| self.place(mode, amplitudes)).collect();
+        let [frequency, error] = winding(&points, interval, &Scale::of(&points));
         let period = TAU / frequency;
         Ok(MeasuredExchange { period, error: error / frequency * period })
     }
@@ -180,10 +180,10 @@ impl NormalForm {
         let mut is_steady = true;
         for periods in [LONGEST / 64, LONGEST / 16, LONGEST / 4, LONGEST] {
             let path = seen(interval, periods * PER_PERIOD)?;
-            let places: Vec<Place> = path.iter().map(|amplitudes| self.place(mode, amplitudes)).collect();
-            is_steady = Scale::of(&places).is_steady();
+            let points: Vec<Place> = path.iter().map(|amplitudes| self.place(mode, amplitudes)).collect();
+            is_steady = Scale::of(&points).is_steady();
             let falls = |pair: &(usize, &[Place])| pair.1[0][1] > 0.0 && pair.1[1][1] <= 0.0;
-            let maxima: Vec<usize> = places.windows(2).enumerate().filter(falls).map(|it| it.0).collect();
+            let maxima: Vec<usize> = points.windows(2).enumerate().filter(falls).map(|it| it.0).collect();
             if let (Some(first), Some(last), true) = (maxima.first(), maxima.last(), maxima.len() > 2)
                 && !is_steady
             {
@@ -253,9 +253,9 @@ struct Scale {
 
 impl Scale {
     fn of(places: &[Place]) -> Self {
-        let least = places.iter().map(|place| place[0]).fold(f64::INFINITY, f64::min);
-        let most = places.iter().map(|place| place[0]).fold(0.0, f64::max);
-        let height = places.iter().map(|place| place[1].abs()).fold(0.0, f64::max);
+        let least = places.iter().map(|point| point[0]).fold(f64::INFINITY, f64::min);
+        let most = places.iter().map(|point| point[0]).fold(0.0, f64::max);
+        let height = places.iter().map(|point| point[1].abs()).fold(0.0, f64::max);
         Self { middle: 0.5 * (least + most), half_width: 0.5 * (most - least), height }
     }
 
@@ -272,7 +272,7 @@ impl Scale {
 /// half at each. The mean converges faster than any power of the length: the error of nine tenths is a few times that of the whole, that of one
 /// half thousands of times as large. The effect of the integration tolerance is added.
 fn winding(places: &[Place], interval: f64, scale: &Scale) -> [f64; 2] {
-    let angles: Vec<f64> = places.iter().map(|place| scale.angle(place)).collect();
+    let angles: Vec<f64> = places.iter().map(|point| scale.angle(point)).collect();
     let step = |pair: &[f64]| {
         let step = pair[1] - pair[0];
         step - TAU * (step / TAU).round()

@@ -95,11 +95,11 @@ pub(super) fn expand<N: Ring + Clone>(
         let forces = forces.collect::<Result<Vec<_>, _>>()?;
         jet.shorten();
         let transport = transport(&ring, &orders, k);
-        let found = (0..n).map(|s| {
+        let parts = (0..n).map(|s| {
             let rest = ring.subtract(&basis.projected(&ring, &forces, s), &transport[s]);
             solved(&ring, linear, judge, s, &rest, &mut divisors)
         });
-        let (transform, slow): (Vec<_>, Vec<_>) = found.collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
+        let (transform, slow): (Vec<_>, Vec<_>) = parts.collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
         jet.extend(&basis.state(&ring, &transform))?;
         orders.push(Order { transform, slow });
     }
@@ -143,8 +143,8 @@ fn transport<N: Ring>(
         for (t, rate) in slow.iter().enumerate().filter(|(_, rate)| !ring.is_zero(rate)) {
             let rates = [(t, rate.clone()), (n + t, conjugate(ring, rate))];
             for (generator, rate) in &rates {
-                for (sum, own) in sums.iter_mut().zip(carried) {
-                    let slope = ring.derivative(own, *generator);
+                for (sum, series) in sums.iter_mut().zip(carried) {
+                    let slope = ring.derivative(series, *generator);
                     *sum = ring.add(sum, &ring.multiply(rate, &slope));
                 }
             }
@@ -184,8 +184,8 @@ fn solved<N: Ring>(
 /// Λ − ωⱼ.
 fn divisor<N: Ring>(linear: &LinearMotion<N>, mode: usize, powers: &Powers) -> N::Element {
     let base = &linear.numbers.base;
-    let (own, conjugates) = powers.split_at(powers.len() / 2);
-    let terms = linear.frequencies.iter().zip(own.iter().zip(conjugates));
+    let (plain, conjugates) = powers.split_at(powers.len() / 2);
+    let terms = linear.frequencies.iter().zip(plain.iter().zip(conjugates));
     let sum = terms.fold(base.zero(), |sum, (frequency, (p, q))| {
         base.add(&sum, &base.times_integer(frequency, i64::from(*p) - i64::from(*q)))
     });
@@ -209,9 +209,9 @@ impl<N: Ring + Clone> Basis<N> {
         let halved = |z: &ComplexOf<N>| numbers.over_integer(z, 2).ok_or(NormalFormObstacle::NoSeries);
         let column = |(shape, frequency): (&Vec<ComplexOf<N>>, &N::Element)| {
             let turned = Quadratic { plain: numbers.base.zero(), root: frequency.clone() };
-            let places = shape.iter().map(&halved).collect::<Result<Vec<_>, _>>()?;
-            let velocities: Vec<_> = places.iter().map(|z| numbers.multiply(z, &turned)).collect();
-            Ok([places, velocities].concat())
+            let displacements = shape.iter().map(&halved).collect::<Result<Vec<_>, _>>()?;
+            let velocities: Vec<_> = displacements.iter().map(|z| numbers.multiply(z, &turned)).collect();
+            Ok([displacements, velocities].concat())
         };
         let columns = linear.shapes.iter().zip(&linear.frequencies).map(column);
         let columns = columns.collect::<Result<Vec<_>, NormalFormObstacle>>()?;

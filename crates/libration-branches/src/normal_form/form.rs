@@ -73,8 +73,8 @@ impl SlowTerm {
     /// Returns `true` if the term exists whatever the frequencies: a power of |a|² times the amplitude itself, which changes the frequency.
     #[must_use]
     pub fn is_of_every_system(&self) -> bool {
-        let own = |k: usize| u8::from(k == self.mode);
-        (0..self.powers.len()).all(|k| self.powers[k] == self.conjugate_powers[k] + own(k))
+        let one = |k: usize| u8::from(k == self.mode);
+        (0..self.powers.len()).all(|k| self.powers[k] == self.conjugate_powers[k] + one(k))
     }
 }
 
@@ -115,25 +115,25 @@ impl NormalForm {
             let number = |x: &Vec<_>| tower.number(x);
             let judge = DivisorRules { number: &number, smallest };
             expand(&linear, &judge, &tape, order, &watch.part())
-                .map(|found| NumericalExpansion::exact(&tower, found))
+                .map(|series| NumericalExpansion::exact(&tower, series))
         });
-        let found = match exact {
-            Some(Ok(found)) => found,
+        let expansion = match exact {
+            Some(Ok(expansion)) => expansion,
             Some(Err(NormalFormObstacle::Interrupted(interrupted))) => return Err(interrupted.into()),
             Some(Err(NormalFormObstacle::NoSeries)) | None => {
                 let linear: LinearMotion<_> = in_digits(&modes);
                 // Zero up to rounding.
                 let judge = DivisorRules { number: &|x: &f64| *x, smallest: smallest.max(1e-9 * least) };
-                let found = expand(&linear, &judge, &tape, order, watch).map_err(failure)?;
-                NumericalExpansion::in_digits(found)
+                let expansion = expand(&linear, &judge, &tape, order, watch).map_err(failure)?;
+                NumericalExpansion::in_digits(expansion)
             }
         };
         Ok(Self {
             modes,
             order,
-            slow_terms: found.slow,
-            small_divisors: found.divisors,
-            transform: found.transform,
+            slow_terms: expansion.slow,
+            small_divisors: expansion.divisors,
+            transform: expansion.transform,
         })
     }
 
@@ -229,8 +229,8 @@ impl NumericalExpansion {
     ) -> Self {
         let complex = |z: &Quadratic<N::Element>| Complex::new(number(&z.plain), number(&z.root));
         let halves = |powers: &Powers| {
-            let (own, bars) = powers.split_at(powers.len() / 2);
-            (own.to_vec(), bars.to_vec())
+            let (plain, bars) = powers.split_at(powers.len() / 2);
+            (plain.to_vec(), bars.to_vec())
         };
         let mut slow = vec![];
         let mut divisors: Vec<Divisor> = vec![];

@@ -71,7 +71,7 @@ impl<F: Ring> AmplitudePolynomials<F> {
 
     fn add_to(&self, sum: &mut Polynomial<F::Element>, powers: Powers, value: F::Element) {
         let total = match sum.get(&powers) {
-            Some(own) => self.numbers.add(own, &value),
+            Some(present) => self.numbers.add(present, &value),
             None => value,
         };
         if self.numbers.is_zero(&total) {
@@ -115,9 +115,9 @@ impl<F: Ring> Ring for AmplitudePolynomials<F> {
 
     fn multiply(&self, a: &Self::Element, b: &Self::Element) -> Self::Element {
         let mut product = BTreeMap::new();
-        for (own, x) in a {
+        for (first, x) in a {
             for (other, y) in b {
-                let powers = own.iter().zip(other).map(|(p, q)| p + q).collect();
+                let powers = first.iter().zip(other).map(|(p, q)| p + q).collect();
                 self.add_to(&mut product, powers, self.numbers.multiply(x, y));
             }
         }

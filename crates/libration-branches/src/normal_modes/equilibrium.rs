@@ -64,11 +64,11 @@ fn at_rest(formula: &Expression, equation: &Equation) -> Expression {
 fn proved(formulas: &[Expression], names: &[Symbol], at: &[f64], part: f64) -> Option<Vec<Rational>> {
     let largest = at.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
     let fraction = |x: &f64| if x.abs() <= part * largest { Some(0.into()) } else { simplest(*x, x.abs()) };
-    let place: Vec<Rational> = at.iter().map(fraction).collect::<Option<_>>()?;
+    let fractions: Vec<Rational> = at.iter().map(fraction).collect::<Option<_>>()?;
     let vanishes = |formula: &Expression| {
-        substituted(formula, names, &place).to_rational().is_some_and(|it| it.is_zero())
+        substituted(formula, names, &fractions).to_rational().is_some_and(|it| it.is_zero())
     };
-    formulas.iter().all(vanishes).then_some(place)
+    formulas.iter().all(vanishes).then_some(fractions)
 }
 
 /// The formula after substitution of fractions for symbols.

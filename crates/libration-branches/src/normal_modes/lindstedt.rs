@@ -139,7 +139,7 @@ impl<E: Clone> LinearEquations<E> {
     ) -> Result<Self, ModeObstacle> {
         let column = |input: usize| -> Result<Vec<E>, SeriesError> {
             let gains = jet.gains(input)?;
-            Ok(tape.results().iter().map(|&place| ring.harmonic(&gains[place], 0).cosine).collect())
+            Ok(tape.results().iter().map(|&slot| ring.harmonic(&gains[slot], 0).cosine).collect())
         };
         let columns = (0..2 * coordinates).map(column).collect::<Result<Vec<_>, _>>()?;
         let rows = |columns: &[Vec<E>], entry: &dyn Fn(&E) -> E| {
@@ -163,17 +163,17 @@ fn state<N: Ring>(
         numbers.times_integer(&numbers.multiply(x, frequency), i64::try_from(k).unwrap_or(i64::MAX))
     };
     let position = |i: usize| {
-        let own = terms
+        let harmonics = terms
             .iter()
             .map(|(k, cosine, sine)| (*k, HarmonicPair { cosine: cosine[i].clone(), sine: sine[i].clone() }));
-        ring.sum_of_harmonics(&own.collect::<Vec<_>>())
+        ring.sum_of_harmonics(&harmonics.collect::<Vec<_>>())
     };
     // (c·cos kτ + s·sin kτ)′ = kω·(s·cos kτ − c·sin kτ).
     let velocity = |i: usize| {
-        let own = terms.iter().map(|(k, cosine, sine)| {
+        let harmonics = terms.iter().map(|(k, cosine, sine)| {
             (*k, HarmonicPair { cosine: rate(*k, &sine[i]), sine: numbers.negate(&rate(*k, &cosine[i])) })
         });
-        ring.sum_of_harmonics(&own.collect::<Vec<_>>())
+        ring.sum_of_harmonics(&harmonics.collect::<Vec<_>>())
     };
     (0..coordinates).map(position).chain((0..coordinates).map(velocity)).collect()
 }
@@ -205,8 +205,8 @@ impl<N: Ring> LindstedtExpansion<'_, N> {
         self.jet.shorten();
         let ring = self.ring;
         let parts = |k: usize| {
-            let own = sums.iter().map(move |sum| ring.harmonic(sum, k));
-            own.clone().map(|own| own.cosine).chain(own.map(|own| own.sine)).collect()
+            let harmonics = sums.iter().map(move |sum| ring.harmonic(sum, k));
+            harmonics.clone().map(|pair| pair.cosine).chain(harmonics.map(|pair| pair.sine)).collect()
         };
         Ok(harmonics.iter().map(|&k| parts(k)).collect())
     }
@@ -262,12 +262,12 @@ impl<N: Ring> LindstedtExpansion<'_, N> {
         largest: f64,
     ) -> Option<Vec<N::Element>> {
         let numbers = self.ring.numbers();
-        let places = 0..matrix.len();
+        let indices = 0..matrix.len();
         let transposed: Vec<Vec<N::Element>> =
-            places.clone().map(|i| matrix.iter().map(|row| row[i].clone()).collect()).collect();
+            indices.clone().map(|i| matrix.iter().map(|row| row[i].clone()).collect()).collect();
         let [left, free] = [self.null_vectors(&transposed)?, self.null_vectors(matrix)?];
         // The bordered equations: the multiples of the left vectors that are left over vanish where the right side is orthogonal to them.
-        let bordered = places.clone().map(|i| {
+        let bordered = indices.clone().map(|i| {
             let of_left = left.iter().map(|vector| vector[i].clone());
             matrix[i].iter().cloned().chain(of_left).collect::<Vec<_>>()
         });
@@ -344,9 +344,10 @@ impl<N: Ring> LindstedtExpansion<'_, N> {
             let sum = terms.fold(numbers.zero(), |sum, (g, x)| numbers.add(&sum, &numbers.multiply(g, x)));
             numbers.multiply(omega, &sum)
         };
-        let own = |x: &N::Element| numbers.multiply(&twice, x);
-        let upper = cosine.iter().enumerate().map(|(i, c)| numbers.add(&own(c), &coupled(i, sine)));
-        let lower = sine.iter().enumerate().map(|(i, s)| numbers.subtract(&own(s), &coupled(i, cosine)));
+        let stretched = |x: &N::Element| numbers.multiply(&twice, x);
+        let upper = cosine.iter().enumerate().map(|(i, c)| numbers.add(&stretched(c), &coupled(i, sine)));
+        let lower =
+            sine.iter().enumerate().map(|(i, s)| numbers.subtract(&stretched(s), &coupled(i, cosine)));
         upper.chain(lower).collect()
     }
 }

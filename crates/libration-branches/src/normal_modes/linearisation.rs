@@ -47,7 +47,7 @@ pub(super) fn linearisation(equation: &Equation, rest: &Equilibrium) -> Result<L
     }
     let is_small = rest.at.len() <= MOST_EXACT;
     let exact = rest.exact.as_ref().filter(|_| is_small);
-    let exact = exact.and_then(|place| in_fractions(&slopes, &symbols, place));
+    let exact = exact.and_then(|point| in_fractions(&slopes, &symbols, point));
     Ok(Linear {
         numbers: split(&numbers, |x| -x),
         exact: exact.map(|exact| split(&exact, |x: &Rational| -x.clone())),

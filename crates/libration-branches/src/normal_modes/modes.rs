@@ -86,9 +86,9 @@ impl NormalModes {
                 shift: Err(ShiftError::NotOscillating),
             }));
         }
-        let found: Vec<_> = (0..modes.len()).map(|number| resonances(&modes, number)).collect();
-        for (mode, found) in modes.iter_mut().zip(found) {
-            mode.resonances = found;
+        let resonances: Vec<_> = (0..modes.len()).map(|number| resonances(&modes, number)).collect();
+        for (mode, list) in modes.iter_mut().zip(resonances) {
+            mode.resonances = list;
         }
         watch.begin(Stage::Whole, Some(modes.len()));
         let shift = |number| {

@@ -30,15 +30,16 @@ impl Root {
 ///
 /// Approximate roots suggest factors of first and second degree, which must then divide the polynomial.
 pub fn roots(polynomial: &[Rational], digits: &[(Complex, usize)]) -> Option<Vec<(Root, usize)>> {
-    let mut found = vec![];
+    let mut list = vec![];
     for (factor, multiplicity) in square_free_factors(polynomial) {
-        let known = digits.iter().filter(|(_, times)| *times == multiplicity).map(|(root, _)| *root);
-        let known: Vec<Complex> = known.collect();
-        let near = if known.len() + 1 == factor.len() { known } else { numeric_roots(&factor)? };
+        let of_multiplicity =
+            digits.iter().filter(|(_, times)| *times == multiplicity).map(|(root, _)| *root);
+        let approximate: Vec<Complex> = of_multiplicity.collect();
+        let near = if approximate.len() + 1 == factor.len() { approximate } else { numeric_roots(&factor)? };
         let roots = simple_roots(factor, near)?;
-        found.extend(roots.into_iter().map(|root| (root, multiplicity)));
+        list.extend(roots.into_iter().map(|root| (root, multiplicity)));
     }
-    Some(found)
+    Some(list)
 }
 
 /// The roots of a square-free polynomial near approximate values; exact if a rational root or a quadratic factor is found.
@@ -62,10 +63,10 @@ fn simple_roots(polynomial: Vec<Rational>, near: Vec<Complex>) -> Option<Vec<Roo
             None => left.push(near),
         }
     }
-    while let Some((quotient, pair, places)) = quadratic_factor(&rest, &left)? {
+    while let Some((quotient, pair, indices)) = quadratic_factor(&rest, &left)? {
         rest = quotient;
         exact.extend(pair.map(Root::Exact));
-        left = left.into_iter().enumerate().filter(|(i, _)| !places.contains(i)).map(|(_, z)| z).collect();
+        left = left.into_iter().enumerate().filter(|(i, _)| !indices.contains(i)).map(|(_, z)| z).collect();
     }
     exact.extend(left.into_iter().map(Root::Number));
     Some(exact)

@@ -32,10 +32,10 @@ pub(super) fn spectrum(linear: &Linear) -> Result<Vec<Exponent>, ModesError> {
         _ if is_odd => None,
         even => from_fractions(even, &linear.numbers),
     });
-    let found = in_fractions.or_else(|| from_numbers(&linear.numbers, is_odd));
-    let mut found = found.ok_or(ModesError::NoEigenvalues)?;
-    found.sort_by(|a, b| a.value.im.total_cmp(&b.value.im).then(a.value.re.total_cmp(&b.value.re)));
-    Ok(found)
+    let outcome = in_fractions.or_else(|| from_numbers(&linear.numbers, is_odd));
+    let mut exponents = outcome.ok_or(ModesError::NoEigenvalues)?;
+    exponents.sort_by(|a, b| a.value.im.total_cmp(&b.value.im).then(a.value.re.total_cmp(&b.value.re)));
+    Ok(exponents)
 }
 
 fn polynomial<R: Ring>(ring: &R, linear: &Linearisation<R::Element>) -> Option<Vec<R::Element>> {
@@ -131,8 +131,8 @@ fn squares_of_gyroscopic(linear: &Linearisation<f64>) -> Option<Vec<Known>> {
     const DIGITS: f64 = 1e-6;
     let roots = polynomial_roots(&in_squares(&Doubles, &polynomial))?;
     let largest = roots.iter().map(|root| root.value.abs()).fold(0.0, f64::max);
-    let known = |error: f64| error <= DIGITS * largest;
-    roots.into_iter().map(|root| known(root.error).then_some((root.value, root.error))).collect()
+    let is_certain = |error: f64| error <= DIGITS * largest;
+    roots.into_iter().map(|root| is_certain(root.error).then_some((root.value, root.error))).collect()
 }
 
 /// The matrix of the first-order equations, each velocity in the unit in which the largest stiffness of its coordinate is about 1.
@@ -144,8 +144,8 @@ fn in_units(linear: &Linearisation<f64>) -> Option<Vec<Vec<f64>>> {
     let ones = linear.stiffness.iter().map(|_| 1.0);
     let units: Vec<f64> = ones.chain(linear.stiffness.iter().map(unit)).collect();
     let mut matrix = first_order(&Doubles, linear)?;
-    for (row, own) in matrix.iter_mut().zip(&units) {
-        row.iter_mut().zip(&units).for_each(|(x, unit)| *x *= unit / own);
+    for (row, unit_of_row) in matrix.iter_mut().zip(&units) {
+        row.iter_mut().zip(&units).for_each(|(x, unit)| *x *= unit / unit_of_row);
     }
     Some(matrix)
 }

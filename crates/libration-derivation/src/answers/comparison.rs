@@ -60,18 +60,18 @@ impl Comparison<'_> {
             draw.push(value);
         }
         for (name, formula) in &self.established {
-            let own = key(name);
-            let place = self.symbols.iter().position(|(key, _)| *key == own)?;
+            let wanted = key(name);
+            let index = self.symbols.iter().position(|(key, _)| *key == wanted)?;
             if let Ok(value) = evaluate(&without_order(formula), &DIGITS, &values) {
                 values.set(name, value.clone());
-                draw[place] = value;
+                draw[index] = value;
             }
         }
         let result = evaluate(&without_order(self.question.result), &DIGITS, &values).ok()?;
         for name in self.formula.free_names() {
-            let own = key(&name);
-            let place = self.symbols.iter().position(|(key, _)| *key == own)?;
-            values.set(&name, draw[place].clone());
+            let wanted = key(&name);
+            let index = self.symbols.iter().position(|(key, _)| *key == wanted)?;
+            values.set(&name, draw[index].clone());
         }
         let answer = evaluate(&self.formula, &DIGITS, &values).ok().filter(|it| it.to_f64().is_finite())?;
         Some(Sample { draw, answer, result })
@@ -81,10 +81,10 @@ impl Comparison<'_> {
     pub(super) fn judge(&self, samples: &[Sample]) -> Judgement {
         let Question { is_zero, result, .. } = self.question;
         let atoms = Atoms { waves: has_wave_power(result), formulas: RefCell::default() };
-        let [known, found] = [result, &self.formula].map(|it| terms(it, &|part| atoms.number(part)));
-        let is_right = match (is_zero, &found, &known) {
+        let [of_result, of_answer] = [result, &self.formula].map(|it| terms(it, &|part| atoms.number(part)));
+        let is_right = match (is_zero, &of_answer, &of_result) {
             (false, ..) => samples.iter().all(|sample| are_close(&sample.answer, &sample.result)),
-            (true, Some(found), Some(known)) => is_multiple(found, known),
+            (true, Some(given), Some(expected)) => is_multiple(given, expected),
             (true, ..) => is_constant_factor(samples),
         };
         if is_right {
@@ -96,9 +96,9 @@ impl Comparison<'_> {
         if self.is_asked() {
             return Judgement::NotSimplified;
         }
-        let reason = found.zip(known).and_then(|(found, known)| {
-            let found = if is_zero { as_in(&found, &known) } else { found };
-            wrong_terms(&found, &known, &atoms)
+        let reason = of_answer.zip(of_result).and_then(|(given, expected)| {
+            let comparable = if is_zero { as_in(&given, &expected) } else { given };
+            wrong_terms(&comparable, &expected, &atoms)
         });
         Judgement::Wrong(reason.unwrap_or_else(|| self.values(&samples[0])))
     }
@@ -134,11 +134,11 @@ impl Comparison<'_> {
 }
 
 /// The terms that differ; `None` if there are none.
-fn wrong_terms(found: &Terms, known: &Terms, atoms: &Atoms) -> Option<Prose> {
+fn wrong_terms(given: &Terms, expected: &Terms, atoms: &Atoms) -> Option<Prose> {
     let symbol =
         |number: usize| atoms.formulas.borrow().get(number).map_or(Formula::Pi, |(_, it)| it.clone());
     let sentence = |term: &Term| {
-        let [before, after] = match (coefficient(found, term), coefficient(known, term)) {
+        let [before, after] = match (coefficient(given, term), coefficient(expected, term)) {
             (Some(one), Some(other)) if one == other => return None,
             (Some(_), Some(_)) => ["the term in ", " has another coefficient"],
             (Some(_), None) => ["there is no term in ", ""],
@@ -149,9 +149,9 @@ fn wrong_terms(found: &Terms, known: &Terms, atoms: &Atoms) -> Option<Prose> {
             None => Prose::text(before.replace(" in ", " without symbols")).and(Prose::text(after)),
         })
     };
-    let added = found.iter().filter(|(term, _)| coefficient(known, term).is_none());
+    let added = given.iter().filter(|(term, _)| coefficient(expected, term).is_none());
     let mut sentences: Vec<Prose> =
-        known.iter().chain(added).filter_map(|(term, _)| sentence(term)).collect();
+        expected.iter().chain(added).filter_map(|(term, _)| sentence(term)).collect();
     let more = sentences.len().saturating_sub(NAMED);
     sentences.truncate(NAMED);
     if more > 0 {
@@ -175,11 +175,11 @@ impl Atoms {
             _ => return None,
         };
         let mut formulas = self.formulas.borrow_mut();
-        let place = formulas.iter().position(|(own, _)| *own == key);
-        if place.is_none() {
+        let index = formulas.iter().position(|(other, _)| *other == key);
+        if index.is_none() {
             formulas.push((key, formula.clone()));
         }
-        Some(place.unwrap_or(formulas.len() - 1))
+        Some(index.unwrap_or(formulas.len() - 1))
     }
 }
 
@@ -217,7 +217,7 @@ fn without_order(formula: &Formula) -> Formula {
 
 /// Number of operations in a formula; a fraction of numbers and a sign before it are one each.
 fn operations(formula: &Formula) -> usize {
-    let own = match formula {
+    let count = match formula {
         Formula::Order(_) => return 0,
         Formula::Number(value) => usize::from(!value.is_integer()) + usize::from(value.is_negative()),
         Formula::Sum(parts) => {
@@ -232,7 +232,7 @@ fn operations(formula: &Formula) -> usize {
         Formula::Decimal(_) | Formula::Pi | Formula::Name(_) => 0,
         _ => 1,
     };
-    own + formula.parts().into_iter().map(operations).sum::<usize>()
+    count + formula.parts().into_iter().map(operations).sum::<usize>()
 }
 
 /// Returns `true` if a formula has powers of sines or cosines.

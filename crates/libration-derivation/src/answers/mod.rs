@@ -93,13 +93,13 @@ impl Derivation {
     /// ```
     pub fn judge(&self, number: &str, answer: &str) -> Result<Judgement, AnswerError> {
         let questions = self.questions();
-        let Some((_, place, question)) = questions.iter().find(|(own, ..)| own == number) else {
+        let Some((_, position, question)) = questions.iter().find(|(label, ..)| label == number) else {
             let number = number.to_owned();
             return Err(AnswerError::Number { number, numbers: self.comparable().join(", ") });
         };
         let formula = Formula::from(&answer.parse::<Expression>()?);
         let symbols = self.symbols();
-        let is_unknown = |symbol: &String| symbols.iter().all(|(own, _)| own != symbol);
+        let is_unknown = |symbol: &String| symbols.iter().all(|(other, _)| other != symbol);
         if let Some(symbol) = formula.free_names().iter().map(key).find(is_unknown) {
             let symbols = symbols.iter().map(|(key, _)| key.as_str()).collect::<Vec<_>>().join(", ");
             return Err(AnswerError::Symbol { symbol, symbols });
@@ -108,7 +108,7 @@ impl Derivation {
             question: *question,
             formula,
             symbols: &symbols,
-            established: self.established_before(*place),
+            established: self.established_before(*position),
         };
         let samples = comparison.samples();
         if samples.is_empty() { Err(AnswerError::NoValue) } else { Ok(comparison.judge(&samples)) }
@@ -117,20 +117,22 @@ impl Derivation {
     /// The exercises with their numbers and places.
     fn questions(&self) -> Vec<(String, EquationNumber, Question<'_>)> {
         let mut all = vec![];
-        for (place, equation) in equations(&self.answers) {
-            all.extend(Question::of(equation).map(|it| (format!("{}.{}", place.0, place.1), place, it)));
+        for (position, equation) in equations(&self.answers) {
+            all.extend(
+                Question::of(equation).map(|it| (format!("{}.{}", position.0, position.1), position, it)),
+            );
         }
         all
     }
 
     /// The symbols with the formulas that the derivation has given for them before a place, in their order.
-    fn established_before(&self, place: EquationNumber) -> Vec<(&Name, Formula)> {
+    fn established_before(&self, position: EquationNumber) -> Vec<(&Name, Formula)> {
         let mut all: Vec<(EquationNumber, &Name, Formula)> = vec![];
-        for (own, equation) in equations(&self.steps).into_iter().chain(equations(&self.answers)) {
-            if own < place
+        for (number, equation) in equations(&self.steps).into_iter().chain(equations(&self.answers)) {
+            if number < position
                 && let Some((name, value)) = equation.statement().as_value()
             {
-                all.insert(all.partition_point(|(other, ..)| *other < own), (own, name, value));
+                all.insert(all.partition_point(|(other, ..)| *other < number), (number, name, value));
             }
         }
         all.into_iter().map(|(_, name, value)| (name, value)).collect()
@@ -150,8 +152,8 @@ impl Derivation {
         let mut symbols = Symbols::new();
         for name in sides.flat_map(Formula::free_names).filter(|it| it.can_be_typed() && it.letter != "?") {
             let key = key(&name);
-            if let Err(place) = symbols.binary_search_by(|(own, _)| own.cmp(&key)) {
-                symbols.insert(place, (key, name));
+            if let Err(index) = symbols.binary_search_by(|(other, _)| other.cmp(&key)) {
+                symbols.insert(index, (key, name));
             }
         }
         symbols

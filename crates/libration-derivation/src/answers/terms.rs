@@ -52,7 +52,7 @@ pub(super) fn terms(formula: &Formula, atom: &dyn Fn(&Formula) -> Option<usize>)
 
 /// The coefficient of a term; `None` if the sum does not have it.
 pub(super) fn coefficient<'a>(terms: &'a Terms, term: &Term) -> Option<&'a Rational> {
-    terms.binary_search_by(|(own, _)| own.cmp(term)).ok().map(|place| &terms[place].1)
+    terms.binary_search_by(|(other, _)| other.cmp(term)).ok().map(|index| &terms[index].1)
 }
 
 /// Returns `true` if a sum is another one times a product of powers and a number.
@@ -70,9 +70,9 @@ pub(super) fn is_multiple(sum: &Terms, of: &Terms) -> bool {
 
 /// The sum times the product of powers that gives most of its terms those of another sum, and the number that does so for their coefficients.
 pub(super) fn as_in(sum: &Terms, other: &Terms) -> Terms {
-    let (Some((first, _)), Some((known, _))) = (sum.first(), other.first()) else { return sum.clone() };
+    let (Some((first, _)), Some((leading, _))) = (sum.first(), other.first()) else { return sum.clone() };
     let up = other.iter().map(|(term, _)| over(&term.powers, &first.powers));
-    let down = sum.iter().map(|(term, _)| over(&known.powers, &term.powers));
+    let down = sum.iter().map(|(term, _)| over(&leading.powers, &term.powers));
     let common = |shift: &Powers| {
         sum.iter().filter(|(term, _)| coefficient(other, &shifted(term, shift)).is_some()).count()
     };
@@ -156,17 +156,17 @@ fn constant(value: Rational) -> Terms {
 
 /// Adds a number to that of a key.
 fn put<K: Ord>(sum: &mut Sparse<K>, key: K, value: Rational) {
-    match sum.binary_search_by(|(own, _)| own.cmp(&key)) {
-        Ok(place) => {
-            let value = sum[place].1.clone() + value;
+    match sum.binary_search_by(|(other, _)| other.cmp(&key)) {
+        Ok(index) => {
+            let value = sum[index].1.clone() + value;
             if value.is_zero() {
-                sum.remove(place);
+                sum.remove(index);
             } else {
-                sum[place].1 = value;
+                sum[index].1 = value;
             }
         }
         Err(_) if value.is_zero() => {}
-        Err(place) => sum.insert(place, (key, value)),
+        Err(index) => sum.insert(index, (key, value)),
     }
 }
 
@@ -228,7 +228,7 @@ fn raised(base: &Terms, exponent: &Rational) -> Option<Terms> {
     let n = if exponent.is_negative() { -n } else { n };
     let value =
         if n % 2 == 0 { value.integer_power(n / 2)? } else { value.square_root()?.integer_power(n)? };
-    let powers = powers.iter().map(|(key, own)| (*key, own.clone() * exponent.clone())).collect();
+    let powers = powers.iter().map(|(key, power)| (*key, power.clone() * exponent.clone())).collect();
     Some(vec![(Term { powers, ..Term::default() }, value)])
 }
 

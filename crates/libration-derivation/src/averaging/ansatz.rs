@@ -17,8 +17,8 @@ pub(super) fn step(question: &AveragingQuestion, flow: &Flow) -> DerivationStep 
     let (u, psi) = (|| question.u(), Name::new("ψ"));
     let (amplitude, c) = (|| question.amplitude(), || question.small());
     let rate = |name: &Name| Formula::from(name.clone().prime());
-    let unknown = |name: &dyn Fn(PowerPair) -> Name, places: &[PowerPair]| {
-        let terms = places.iter().map(|place| power(question, *place) * Formula::from(name(*place)));
+    let unknown = |name: &dyn Fn(PowerPair) -> Name, pairs: &[PowerPair]| {
+        let terms = pairs.iter().map(|powers| power(question, *powers) * Formula::from(name(*powers)));
         terms.collect::<Vec<Formula>>()
     };
     let [motions, growths, frequencies] = places(question, flow);
@@ -85,9 +85,9 @@ fn counted(
 ) -> Prose {
     let count = |n: usize| number(i64::try_from(n).unwrap_or(i64::MAX));
     let zero =
-        |places: &[PowerPair], is_known: &dyn Fn(&PowerPair) -> bool, name: &dyn Fn(PowerPair) -> Name| {
-            let missing = places.iter().filter(|place| !is_known(place));
-            missing.map(|place| Formula::from(name(*place))).collect::<Vec<Formula>>()
+        |pairs: &[PowerPair], is_known: &dyn Fn(&PowerPair) -> bool, name: &dyn Fn(PowerPair) -> Name| {
+            let missing = pairs.iter().filter(|powers| !is_known(powers));
+            missing.map(|powers| Formula::from(name(*powers))).collect::<Vec<Formula>>()
         };
     let mut vanishing = zero(motions, &|it| flow.motion.contains_key(it), &|it| motion_name(question, it));
     vanishing.extend(zero(growths, &|it| flow.growth.contains_key(it), &growth_name));
@@ -102,8 +102,8 @@ fn counted(
         return prose.and(Prose::text(", none of which will be zero."));
     };
     let prose = prose.and(Prose::text("; of these, as will be seen, nothing forces "));
-    let listed = before.iter().enumerate().fold(prose, |prose, (place, it)| {
-        let comma = if place > 0 { ", " } else { "" };
+    let listed = before.iter().enumerate().fold(prose, |prose, (index, it)| {
+        let comma = if index > 0 { ", " } else { "" };
         prose.and(Prose::text(comma)).and(Prose::formula(it.clone()))
     });
     let and = if before.is_empty() { "" } else { " and " };
@@ -112,15 +112,15 @@ fn counted(
 
 /// The powers of the ansatz at which a coefficient may be nonzero.
 fn places(question: &AveragingQuestion, flow: &Flow) -> [Vec<PowerPair>; 3] {
-    let shown = |place: &PowerPair| question.asks_for(*place);
-    let orders = || flow.orders.iter().filter(|order| shown(&order.place) && can_be(question, order.place));
-    let at = |order: &FlowOrder| order.place;
+    let shown = |powers: &PowerPair| question.asks_for(*powers);
+    let orders = || flow.orders.iter().filter(|order| shown(&order.powers) && can_be(question, order.powers));
+    let at = |order: &FlowOrder| order.powers;
     let motions = orders().map(at).collect();
     let is_reversed = question.is_reversed_by_its_parameter();
     let growths = orders().map(at).filter(|(_, j)| *j > 0 && !(is_reversed && j % 2 == 0)).collect();
-    let frequencies = orders().filter_map(|order| Some((order.place.0.checked_sub(1)?, order.place.1)));
+    let frequencies = orders().filter_map(|order| Some((order.powers.0.checked_sub(1)?, order.powers.1)));
     let frequencies = frequencies.filter(|(_, j)| !(is_reversed && j % 2 == 1));
-    [motions, growths, frequencies.filter(|place| *place != (0, 0)).collect()]
+    [motions, growths, frequencies.filter(|powers| *powers != (0, 0)).collect()]
 }
 
 /// Returns `true` if the symmetries of the equation allow a coefficient at these powers.
@@ -245,7 +245,7 @@ fn example_holds(choice: i64, times: usize) -> bool {
     ]);
     let along = Along { growth: &growth, frequency: &frequency, level: 20, parameter_order: 9, lift: 0 };
     let by_phase = |series: &PhaseSeries| {
-        series.iter().map(|(place, part)| (*place, part.slope())).collect::<PhaseSeries>()
+        series.iter().map(|(powers, part)| (*powers, part.slope())).collect::<PhaseSeries>()
     };
     let by_amplitude = |series: &PhaseSeries| {
         let degree = |n: usize| number(i64::try_from(n).unwrap_or(0), 1);
@@ -254,7 +254,7 @@ fn example_holds(choice: i64, times: usize) -> bool {
     };
     let series = |it: &BTreeMap<PowerPair, PiNumber>| {
         it.iter()
-            .map(|(place, value)| (*place, PhaseFunction::constant(value.clone())))
+            .map(|(powers, value)| (*powers, PhaseFunction::constant(value.clone())))
             .collect::<PhaseSeries>()
     };
     let (a, w) = (series(&growth), series(&frequency));
@@ -274,8 +274,8 @@ fn example_holds(choice: i64, times: usize) -> bool {
     ];
     let parts: &[PhaseSeries] = if times == 1 { &once } else { &twice };
     let mut rest = if times == 1 { along.rate(&x) } else { along.rate(&along.rate(&x)) };
-    for (place, part) in parts.iter().flatten() {
-        let entry = rest.entry(*place).or_default();
+    for (powers, part) in parts.iter().flatten() {
+        let entry = rest.entry(*powers).or_default();
         *entry = entry.minus(part);
     }
     rest.values().all(PhaseFunction::is_zero)

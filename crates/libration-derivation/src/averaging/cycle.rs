@@ -25,9 +25,9 @@ struct AveragedCycle {
 pub(super) fn step(
     question: &AveragingQuestion,
     flow: &Flow,
-    known: &SlowFlow,
+    library: &SlowFlow,
 ) -> Result<Option<DerivationStep>, DerivationError> {
-    let powers = known.whole_powers;
+    let powers = library.whole_powers;
     if powers == 0 || question.flow.kinked || !question.is_odd() {
         return Ok(None);
     }
@@ -43,7 +43,7 @@ pub(super) fn step(
             && near(&cycle.frequency, &other.frequency)
             && near(&cycle.exponent, &other.exponent)
     };
-    if !known.limit_cycles().iter().any(|other| same(&cycle, other)) {
+    if !library.limit_cycles().iter().any(|other| same(&cycle, other)) {
         return Err(DerivationError::Disagreement { what: "two computations of the limit cycle" });
     }
     Ok(Some(written(question, &cycle, powers)))
@@ -97,10 +97,10 @@ impl AveragedCycle {
         let rows = |map: &std::collections::BTreeMap<(usize, usize), PiNumber>, shift: usize| {
             let mut rows = vec![CycleSeries::new(); powers + 1];
             for ((n, j), value) in map.iter().filter(|((_, j), _)| *j <= powers) {
-                let place = n.checked_sub(shift).filter(|n| n.is_multiple_of(2))? / 2;
+                let power = n.checked_sub(shift).filter(|n| n.is_multiple_of(2))? / 2;
                 let row = &mut rows[*j];
-                row.resize(row.len().max(place + 1), Rational::from(0));
-                row[place] = value.to_rational()?;
+                row.resize(row.len().max(power + 1), Rational::from(0));
+                row[power] = value.to_rational()?;
             }
             Some(rows)
         };

@@ -100,8 +100,8 @@ fn force(question: &AveragingQuestion, highest: usize) -> Vec<Rational> {
 /// The entries without the small parameter.
 fn undamped<V: Clone>(all: &BTreeMap<PowerPair, V>) -> BTreeMap<PowerPair, V> {
     let mut undamped = BTreeMap::new();
-    for (place, value) in all.iter().filter(|((_, j), _)| *j == 0) {
-        undamped.insert(*place, value.clone());
+    for (powers, value) in all.iter().filter(|((_, j), _)| *j == 0) {
+        undamped.insert(*powers, value.clone());
     }
     undamped
 }

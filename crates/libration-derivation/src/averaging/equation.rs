@@ -35,12 +35,12 @@ fn about(question: &AveragingQuestion, step: DerivationStep) -> DerivationStep {
     if question.variable == question.displacement {
         return step;
     }
-    let place = Formula::from(question.equilibrium.clone());
+    let equilibrium = Formula::from(question.equilibrium.clone());
     step.say(
         "It can stay at rest at {} = {}, and the displacement is counted from there:",
-        [variable.clone(), place.clone()],
+        [variable.clone(), equilibrium.clone()],
     )
-    .show(CheckedEquation::definition(Statement::defined(question.u(), variable - place)))
+    .show(CheckedEquation::definition(Statement::defined(question.u(), variable - equilibrium)))
 }
 
 /// States the force for negative velocities.
@@ -97,8 +97,8 @@ fn taylor(question: &AveragingQuestion, step: DerivationStep) -> Result<Derivati
     };
     let mut given = Vec::new();
     if question.variable != question.displacement {
-        let place = Formula::from(question.equilibrium.clone()) + question.u();
-        given.push(Given::Value(question.variable.clone(), place));
+        let position = Formula::from(question.equilibrium.clone()) + question.u();
+        given.push(Given::Value(question.variable.clone(), position));
     }
     let force = Formula::from(question.force.oscillator.acceleration()).negated();
     let length = coefficients.len();

@@ -29,11 +29,11 @@ pub struct Flow {
 /// One power of the amplitude and of the small parameter.
 #[derive(Debug)]
 pub(crate) struct FlowOrder {
-    pub(crate) place: PowerPair,
+    pub(crate) powers: PowerPair,
     /// The parts of the equation of motion with their contributions to the right side.
     pub(crate) parts: Vec<Contribution>,
     /// The sum of the contributions.
-    pub(crate) known: PhaseFunction,
+    pub(crate) forcing: PhaseFunction,
     pub(crate) growth: PiNumber,
     pub(crate) frequency: PiNumber,
     pub(crate) motion: PhaseFunction,
@@ -80,27 +80,27 @@ impl Flow {
         };
         let omega0 = PiNumber::from(question.omega0().clone());
         flow.velocity.insert((1, 0), PhaseFunction::sine().scaled(&omega0.negated()));
-        for place in places(question) {
+        for powers in places(question) {
             watch.go_on()?;
-            if place != (1, 0) {
-                flow.extend(question, place)?;
+            if powers != (1, 0) {
+                flow.extend(question, powers)?;
             }
         }
         Ok(flow)
     }
 
-    fn extend(&mut self, question: &AveragingQuestion, place: PowerPair) -> Result<(), DerivationError> {
-        let parts = self.parts(&question.flow, place);
-        let known = parts.iter().fold(PhaseFunction::default(), |sum, it| sum.plus(&it.value));
+    fn extend(&mut self, question: &AveragingQuestion, powers: PowerPair) -> Result<(), DerivationError> {
+        let parts = self.parts(&question.flow, powers);
+        let forcing = parts.iter().fold(PhaseFunction::default(), |sum, it| sum.plus(&it.value));
         let omega0 = question.omega0();
-        let (growth, frequency) = secular(question, &known).ok_or(DerivationError::NoPolynomial)?;
+        let (growth, frequency) = secular(question, &forcing).ok_or(DerivationError::NoPolynomial)?;
         let wave = secular_wave(omega0, &growth, &frequency);
         let square = omega0.clone() * omega0.clone();
         let scale = Rational::from(1).checked_div(&square).ok_or(DerivationError::NoPolynomial)?;
-        let forced = known.plus(&wave).scaled(&scale.into());
+        let forced = forcing.plus(&wave).scaled(&scale.into());
         let begun = forced.begun_at_rest();
         // The velocity vanishes at ψ = 0.
-        let slow = self.slow_velocity(place).plus(&PhaseFunction::cosine().scaled(&growth));
+        let slow = self.slow_velocity(powers).plus(&PhaseFunction::cosine().scaled(&growth));
         let slope =
             slow.at_start().scaled(&Rational::from(-1).checked_div(omega0).unwrap_or_else(|| 0.into()));
         let motion = begun.plus(&PhaseFunction::sine().scaled(&slope));
@@ -110,16 +110,16 @@ impl Flow {
         let turn = PhaseFunction::sine().scaled(&frequency.negated());
         let fast = motion.slope().scaled(&omega0.clone().into());
         let velocity = slow.plus(&turn).plus(&fast);
-        let (n, j) = place;
-        insert_number(&mut self.growth, place, &growth);
+        let (n, j) = powers;
+        insert_number(&mut self.growth, powers, &growth);
         match n.checked_sub(1) {
             Some(below) => insert_number(&mut self.frequency, (below, j), &frequency),
             None if frequency.is_zero() => {}
             None => return Err(DerivationError::NoPolynomial),
         }
-        insert(&mut self.motion, place, &motion);
-        insert(&mut self.velocity, place, &velocity);
-        self.orders.push(FlowOrder { place, parts, known, growth, frequency, motion });
+        insert(&mut self.motion, powers, &motion);
+        insert(&mut self.velocity, powers, &velocity);
+        self.orders.push(FlowOrder { powers, parts, forcing, growth, frequency, motion });
         Ok(())
     }
 
@@ -132,8 +132,8 @@ impl Flow {
     }
 
     /// The known part of the velocity, without the newest coefficients.
-    fn slow_velocity(&self, place: PowerPair) -> PhaseFunction {
-        let (n, j) = place;
+    fn slow_velocity(&self, powers: PowerPair) -> PhaseFunction {
+        let (n, j) = powers;
         let mut sum = PhaseFunction::default();
         for ((m, i), x) in &self.motion {
             let Some(rest) = j.checked_sub(*i) else { continue };
@@ -149,7 +149,7 @@ impl Flow {
     }
 
     /// The known contributions to the right side at these powers, part by part.
-    fn parts(&self, flow: &FlowTerms, place: PowerPair) -> Vec<Contribution> {
+    fn parts(&self, flow: &FlowTerms, pair: PowerPair) -> Vec<Contribution> {
         let x = names(&self.motion, "x");
         let [slope, curvature] = ["x'", "x''"].map(|letters| names(&self.motion, letters));
         let v = names(&self.velocity, "v");
@@ -158,8 +158,8 @@ impl Flow {
         frequency.insert((0, 0), Polynomial::constant(flow.omega0.clone()));
         let one = alone((0, 0), Polynomial::constant(Rational::from(1)));
         let product = |factors: &[&Named]| {
-            let whole = factors.iter().fold(one.clone(), |whole, it| times(&whole, it, place));
-            whole.get(&place).cloned().unwrap_or_default()
+            let whole = factors.iter().fold(one.clone(), |whole, it| times(&whole, it, pair));
+            whole.get(&pair).cloned().unwrap_or_default()
         };
         let by_amplitude = |series: &Named| derivative(series);
         let mut parts = vec![
@@ -200,11 +200,11 @@ impl Flow {
 
     fn named(&self, variable: &Variable) -> PhaseFunction {
         let index = usize::try_from(variable.index().unwrap_or(0)).unwrap_or(usize::MAX);
-        let place = (index / 10, index % 10);
+        let powers = (index / 10, index % 10);
         let function =
-            |map: &BTreeMap<PowerPair, PhaseFunction>| map.get(&place).cloned().unwrap_or_default();
+            |map: &BTreeMap<PowerPair, PhaseFunction>| map.get(&powers).cloned().unwrap_or_default();
         let number = |map: &BTreeMap<PowerPair, PiNumber>| {
-            PhaseFunction::constant(map.get(&place).cloned().unwrap_or_default())
+            PhaseFunction::constant(map.get(&powers).cloned().unwrap_or_default())
         };
         match variable.letters() {
             "x" => function(&self.motion),
@@ -223,18 +223,18 @@ fn places(question: &AveragingQuestion) -> Vec<PowerPair> {
     let all = (0..=question.order).flat_map(|level| {
         (0..=question.parameter_order).filter_map(move |j| Some((level.checked_sub(lift * j)?, j)))
     });
-    all.filter(|place| *place != (0, 0)).filter(|(n, j)| *n > 0 || (lift == 1 && *j > 0)).collect()
+    all.filter(|powers| *powers != (0, 0)).filter(|(n, j)| *n > 0 || (lift == 1 && *j > 0)).collect()
 }
 
 /// The coefficients of A′ and ψ′ for which the forced motion has no secular part: the first harmonic of the
 /// total force on the right vanishes, or, if only a half swing is known, its projections on both waves.
-fn secular(question: &AveragingQuestion, known: &PhaseFunction) -> Option<(PiNumber, PiNumber)> {
+fn secular(question: &AveragingQuestion, forcing: &PhaseFunction) -> Option<(PiNumber, PiNumber)> {
     let half = Rational::from(-1).checked_div(&(Rational::from(2) * question.omega0().clone()))?;
     let part = |wave: Wave| match question.flow.kinked {
-        false => known.coefficient(0, 1, wave),
+        false => forcing.coefficient(0, 1, wave),
         true => {
             let wave = PhaseFunction::term(0, 1, wave, Rational::from(1).into());
-            let whole = known.times(&wave).integral().at_half_turns(1);
+            let whole = forcing.times(&wave).integral().at_half_turns(1);
             whole.scaled(&Rational::from(2)).times_power_of_pi(-1)
         }
     };
@@ -254,16 +254,16 @@ pub(crate) fn variable(letters: &str, (n, j): PowerPair) -> Variable {
 }
 
 /// A map with one entry.
-fn alone<V>(place: PowerPair, value: V) -> BTreeMap<PowerPair, V> {
+fn alone<V>(powers: PowerPair, value: V) -> BTreeMap<PowerPair, V> {
     let mut map = BTreeMap::new();
-    map.insert(place, value);
+    map.insert(powers, value);
     map
 }
 
-fn names<V>(known: &BTreeMap<PowerPair, V>, letters: &str) -> Named {
+fn names<V>(coefficients: &BTreeMap<PowerPair, V>, letters: &str) -> Named {
     let mut names = Named::new();
-    for place in known.keys() {
-        names.insert(*place, Polynomial::variable(variable(letters, *place)));
+    for powers in coefficients.keys() {
+        names.insert(*powers, Polynomial::variable(variable(letters, *powers)));
     }
     names
 }
@@ -279,10 +279,10 @@ fn derivative(series: &Named) -> Named {
 }
 
 /// The product, up to these powers.
-fn times(a: &Named, b: &Named, place: PowerPair) -> Named {
+fn times(a: &Named, b: &Named, limit: PowerPair) -> Named {
     let mut product = Named::new();
     for ((n, j), left) in a {
-        for ((m, i), right) in b.iter().filter(|((m, i), _)| n + m <= place.0 && j + i <= place.1) {
+        for ((m, i), right) in b.iter().filter(|((m, i), _)| n + m <= limit.0 && j + i <= limit.1) {
             let entry = product.entry((n + m, j + i)).or_default();
             *entry = std::mem::take(entry) + left.clone() * right.clone();
         }
@@ -290,14 +290,14 @@ fn times(a: &Named, b: &Named, place: PowerPair) -> Named {
     product
 }
 
-fn insert(map: &mut BTreeMap<PowerPair, PhaseFunction>, place: PowerPair, value: &PhaseFunction) {
+fn insert(map: &mut BTreeMap<PowerPair, PhaseFunction>, powers: PowerPair, value: &PhaseFunction) {
     if !value.is_zero() {
-        map.insert(place, value.clone());
+        map.insert(powers, value.clone());
     }
 }
 
-fn insert_number(map: &mut BTreeMap<PowerPair, PiNumber>, place: PowerPair, value: &PiNumber) {
+fn insert_number(map: &mut BTreeMap<PowerPair, PiNumber>, powers: PowerPair, value: &PiNumber) {
     if !value.is_zero() {
-        map.insert(place, value.clone());
+        map.insert(powers, value.clone());
     }
 }

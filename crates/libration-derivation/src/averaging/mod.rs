@@ -65,9 +65,9 @@ pub fn averaging(
     let question = AveragingQuestion::new(equation, parameter, [order, parameter_order])?;
     let flow = Flow::new(&question, watch)?;
     put_back::check(&question, &flow)?;
-    let known = match put_back::agrees_with_library(&question, &flow, &watch.part()) {
+    let library = match put_back::agrees_with_library(&question, &flow, &watch.part()) {
         Err(_) if watch.is_stopped() => return Err(Interrupted.into()),
-        known => known?,
+        outcome => outcome?,
     };
     let title = "An oscillator under a weak force, by averaging".to_owned();
     let mut derivation = Derivation { title, introduction: introduction(), steps: vec![], answers: vec![] };
@@ -75,7 +75,7 @@ pub fn averaging(
         match watch.reached(done) {
             Err(interrupted) if done == 0 => return Err(interrupted.into()),
             Err(_) => break,
-            Ok(()) => derivation.steps.extend(part(&question, &flow, &known)?),
+            Ok(()) => derivation.steps.extend(part(&question, &flow, &library)?),
         }
     }
     Ok(derivation)
@@ -97,7 +97,7 @@ const PARTS: [AveragingPart; 12] = [
     |question, flow, _| Ok(special::linear_spring(question, flow)?.into_iter().collect()),
     |question, flow, _| Ok(special::pendulum(question, flow)?.into_iter().collect()),
     |question, _, _| Ok(special::published(question)?.into_iter().collect()),
-    |question, flow, known| Ok(cycle::step(question, flow, known)?.into_iter().collect()),
+    |question, flow, library| Ok(cycle::step(question, flow, library)?.into_iter().collect()),
 ];
 
 fn introduction() -> Vec<Block> {

@@ -17,22 +17,22 @@ pub(super) fn indexed(name: Name, (n, j): PowerPair) -> Name {
 }
 
 /// xₙⱼ.
-pub(super) fn motion_name(question: &AveragingQuestion, place: PowerPair) -> Name {
-    indexed(question.displacement.clone(), place)
+pub(super) fn motion_name(question: &AveragingQuestion, powers: PowerPair) -> Name {
+    indexed(question.displacement.clone(), powers)
 }
 
-pub(super) fn velocity_name(place: PowerPair) -> Name {
-    indexed(Name::new("v"), place)
+pub(super) fn velocity_name(powers: PowerPair) -> Name {
+    indexed(Name::new("v"), powers)
 }
 
 /// aₙⱼ.
-pub(super) fn growth_name(place: PowerPair) -> Name {
-    indexed(Name::new("a"), place)
+pub(super) fn growth_name(powers: PowerPair) -> Name {
+    indexed(Name::new("a"), powers)
 }
 
 /// wₙⱼ.
-pub(super) fn frequency_name(place: PowerPair) -> Name {
-    indexed(Name::new("w"), place)
+pub(super) fn frequency_name(powers: PowerPair) -> Name {
+    indexed(Name::new("w"), powers)
 }
 
 /// Products of coefficients as a formula.
@@ -72,19 +72,18 @@ pub(super) fn powers(question: &AveragingQuestion, (n, j): PowerPair) -> Vec<For
 }
 
 /// Aⁿcʲ as one formula.
-pub(super) fn power(question: &AveragingQuestion, place: PowerPair) -> Formula {
-    let factors = powers(question, place);
+pub(super) fn power(question: &AveragingQuestion, pair: PowerPair) -> Formula {
+    let factors = powers(question, pair);
     factors.into_iter().reduce(|product, factor| product * factor).unwrap_or_else(|| Formula::from(1))
 }
 
 /// Σ coefficient·Aⁿcʲ, lower powers of the small parameter first.
 pub(super) fn law(question: &AveragingQuestion, coefficients: &BTreeMap<PowerPair, PiNumber>) -> Formula {
-    let mut places: Vec<&PowerPair> =
-        coefficients.keys().filter(|place| question.asks_for(**place)).collect();
-    places.sort_by_key(|(n, j)| (*j, *n));
-    let terms = places.into_iter().flat_map(|place| {
-        let value = coefficients.get(place).into_iter().flat_map(PiNumber::terms);
-        value.map(|(pi, it)| term_with(it, pi, powers(question, *place))).collect::<Vec<_>>()
+    let mut pairs: Vec<&PowerPair> = coefficients.keys().filter(|pair| question.asks_for(**pair)).collect();
+    pairs.sort_by_key(|(n, j)| (*j, *n));
+    let terms = pairs.into_iter().flat_map(|pair| {
+        let value = coefficients.get(pair).into_iter().flat_map(PiNumber::terms);
+        value.map(|(pi, it)| term_with(it, pi, powers(question, *pair))).collect::<Vec<_>>()
     });
     let terms: Vec<Formula> = terms.collect();
     if terms.is_empty() { Formula::from(0) } else { sum(terms) }

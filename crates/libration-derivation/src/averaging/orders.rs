@@ -26,23 +26,23 @@ pub(super) fn steps(
 ) -> Result<Vec<DerivationStep>, DerivationError> {
     let first = beginning(question, flow);
     let orders =
-        flow.orders.iter().filter(|order| question.asks_for(order.place) && !Flow::is_trivial(order));
+        flow.orders.iter().filter(|order| question.asks_for(order.powers) && !Flow::is_trivial(order));
     let rest = orders.map(|order| one_power(question, flow, order));
     std::iter::once(Ok(first)).chain(rest).collect()
 }
 
 /// The power A without the small parameter.
 fn beginning(question: &AveragingQuestion, flow: &Flow) -> DerivationStep {
-    let place = (1, 0);
-    let velocity = flow.velocity.get(&place).cloned().unwrap_or_default();
+    let powers = (1, 0);
+    let velocity = flow.velocity.get(&powers).cloned().unwrap_or_default();
     DerivationStep::new("order-1-0", "The beginning")
         .say(
             "In the power {} without {} there is the small swing alone, which turns at {}:",
             [question.amplitude(), question.small(), question.amplitude()],
         )
-        .show(CheckedEquation::definition(Statement::equal(motion_name(question, place), cos(phase()))))
+        .show(CheckedEquation::definition(Statement::equal(motion_name(question, powers), cos(phase()))))
         .show(CheckedEquation::definition(Statement::equal(
-            velocity_name(place),
+            velocity_name(powers),
             phase::series(&velocity, "ψ"),
         )))
 }
@@ -52,8 +52,8 @@ fn one_power(
     flow: &Flow,
     order: &FlowOrder,
 ) -> Result<DerivationStep, DerivationError> {
-    let (n, j) = order.place;
-    let heading = format!("The power {}", heading(question, order.place));
+    let (n, j) = order.powers;
+    let heading = format!("The power {}", heading(question, order.powers));
     let step = DerivationStep::new(&format!("order-{n}-{j}"), &heading);
     let way = |step: DerivationStep| {
         step.say("The parts of the equation of motion bring to the right side", [])
@@ -135,26 +135,26 @@ fn force(question: &AveragingQuestion, number: usize) -> Formula {
 
 /// The equation at this power.
 fn forcing(question: &AveragingQuestion, order: &FlowOrder) -> CheckedEquation {
-    let (n, j) = order.place;
+    let (n, j) = order.powers;
     let x = |primes: usize| {
-        let name = motion_name(question, order.place);
+        let name = motion_name(question, order.powers);
         Formula::from((0..primes).fold(name, |name, _| name.prime()))
     };
-    let known = phase::series(&order.known, "ψ");
+    let forcing = phase::series(&order.forcing, "ψ");
     let left = times_omega0(question, 2, x(2)) + times_omega0(question, 2, x(0));
     let twice = |name: Name, wave: Formula| {
         let factor = Rational::from(2) * question.omega0().clone();
         scaled(&factor, Formula::from(name)) * wave
     };
-    let mut right = if order.known.is_zero() { vec![] } else { summands(known.clone()) };
+    let mut right = if order.forcing.is_zero() { vec![] } else { summands(forcing.clone()) };
     if let Some(below) = n.checked_sub(1) {
         right.push(twice(frequency_name((below, j)), cos(phase())));
     }
     if j > 0 {
-        right.push(twice(growth_name(order.place), sin(phase())));
+        right.push(twice(growth_name(order.powers), sin(phase())));
     }
     let statement = Statement::equal(left, sum(right));
-    averaged(question, statement, AveragedClaim::Forcing { power: n, parameter: j, known })
+    averaged(question, statement, AveragedClaim::Forcing { power: n, parameter: j, value: forcing })
 }
 
 fn summands(formula: Formula) -> Vec<Formula> {
@@ -179,33 +179,33 @@ fn conditions(
     order: &FlowOrder,
     step: DerivationStep,
 ) -> Result<DerivationStep, DerivationError> {
-    let found = rates(order);
-    let both = order.place.1 > 0;
-    let step = match found.as_slice() {
+    let rates = rates(order);
+    let both = order.powers.1 > 0;
+    let step = match rates.as_slice() {
         [] if both => step.say(
             "Neither {} nor {} has a part in its right side: amplitude and phase need no correction in this power.",
             [cos(phase()), sin(phase())],
         ),
         [] => step.say("{} has no part in its right side: the phase needs no correction in this power.", [cos(phase())]),
-        [(_, _, _, Wave::Sine)] if order.place.0 > 0 => {
+        [(_, _, _, Wave::Sine)] if order.powers.0 > 0 => {
             step.say("The part of {} in its right side is zero by itself, that of {} for", [cos(phase()), sin(phase())])
         }
-        [_] if both && order.place.0 > 0 => {
+        [_] if both && order.powers.0 > 0 => {
             step.say("The part of {} in its right side is zero by itself, that of {} for", [sin(phase()), cos(phase())])
         }
         [(_, _, _, Wave::Sine)] => step.say("The part of {} in its right side is zero for", [sin(phase())]),
         [_] => step.say("The part of {} in its right side is zero for", [cos(phase())]),
         _ => step.say("The parts of {} and {} in its right side are zero for", [sin(phase()), cos(phase())]),
     };
-    rates_with_integrals(question, order, found).map(|found| step.show_all(found))
+    rates_with_integrals(question, order, rates).map(|equations| step.show_all(equations))
 }
 
 /// The nonzero coefficients.
 fn rates(order: &FlowOrder) -> Vec<(Name, PiNumber, AveragedClaim, Wave)> {
-    let (n, j) = order.place;
+    let (n, j) = order.powers;
     let growth = (!order.growth.is_zero()).then(|| {
         let claim = AveragedClaim::Growth { power: n, parameter: j };
-        (growth_name(order.place), order.growth.clone(), claim, Wave::Sine)
+        (growth_name(order.powers), order.growth.clone(), claim, Wave::Sine)
     });
     let frequency = n.checked_sub(1).filter(|_| !order.frequency.is_zero()).map(|below| {
         let claim = AveragedClaim::Frequency { power: below, parameter: j };
@@ -218,9 +218,9 @@ fn rates(order: &FlowOrder) -> Vec<(Name, PiNumber, AveragedClaim, Wave)> {
 fn rates_with_integrals(
     question: &AveragingQuestion,
     order: &FlowOrder,
-    found: Vec<(Name, PiNumber, AveragedClaim, Wave)>,
+    rates: Vec<(Name, PiNumber, AveragedClaim, Wave)>,
 ) -> Result<Vec<CheckedEquation>, DerivationError> {
-    let is_short = question.flow.kinked && order.known.terms().count() <= SHORT;
+    let is_short = question.flow.kinked && order.forcing.terms().count() <= SHORT;
     let with_integral = |(name, value, claim, wave): (Name, PiNumber, AveragedClaim, Wave)| {
         let value = phase::number(&value);
         if !is_short {
@@ -229,17 +229,17 @@ fn rates_with_integrals(
         let wave = if wave == Wave::Sine { sin(phase()) } else { cos(phase()) };
         let under = times_omega0(question, 1, Formula::Pi);
         let whole =
-            -(number(1) / under * integral("ψ", 0, Formula::Pi, phase::series(&order.known, "ψ") * wave));
+            -(number(1) / under * integral("ψ", 0, Formula::Pi, phase::series(&order.forcing, "ψ") * wave));
         Trials::new(None)?.compare_once(Statement::equal(whole.clone(), value.clone()))?;
         Ok(averaged(question, Statement::equal(name, whole).and_equal(value), claim))
     };
-    found.into_iter().map(with_integral).collect()
+    rates.into_iter().map(with_integral).collect()
 }
 
 /// The motion at this power.
 fn motion(question: &AveragingQuestion, order: &FlowOrder) -> CheckedEquation {
-    let (power, parameter) = order.place;
-    let statement = Statement::equal(motion_name(question, order.place), phase::series(&order.motion, "ψ"));
+    let (power, parameter) = order.powers;
+    let statement = Statement::equal(motion_name(question, order.powers), phase::series(&order.motion, "ψ"));
     averaged(question, statement, AveragedClaim::Motion { power, parameter })
 }
 
@@ -249,13 +249,13 @@ fn with_velocity(
     order: &FlowOrder,
     step: DerivationStep,
 ) -> DerivationStep {
-    let velocity = flow.velocity.get(&order.place).cloned().unwrap_or_default();
+    let velocity = flow.velocity.get(&order.powers).cloned().unwrap_or_default();
     let is_needed = question.flow.terms.iter().any(|term| term.velocity > 0);
     if !is_needed || velocity == PhaseFunction::default() {
         return step;
     }
-    let (power, parameter) = order.place;
-    let statement = Statement::equal(velocity_name(order.place), phase::series(&velocity, "ψ"));
+    let (power, parameter) = order.powers;
+    let statement = Statement::equal(velocity_name(order.powers), phase::series(&velocity, "ψ"));
     step.say("with the velocity", []).show(averaged(
         question,
         statement,

@@ -53,9 +53,9 @@ impl Along<'_> {
         n + self.lift * j <= self.level && j <= self.parameter_order
     }
 
-    fn add(&self, sum: &mut PhaseSeries, place: PowerPair, part: &PhaseFunction) {
-        if self.counts(place) {
-            let entry = sum.entry(place).or_default();
+    fn add(&self, sum: &mut PhaseSeries, powers: PowerPair, part: &PhaseFunction) {
+        if self.counts(powers) {
+            let entry = sum.entry(powers).or_default();
             *entry = entry.plus(part);
         }
     }
@@ -68,7 +68,7 @@ impl Along<'_> {
             let start = PhaseSeries::from([((0, term.parameter), factor)]);
             let factors = std::iter::repeat_n(x, term.position).chain(std::iter::repeat_n(v, term.velocity));
             let product = factors.fold(start, |product, it| self.times(&product, it));
-            product.iter().for_each(|(place, part)| self.add(&mut sum, *place, part));
+            product.iter().for_each(|(powers, part)| self.add(&mut sum, *powers, part));
         }
         sum
     }
@@ -80,16 +80,17 @@ pub fn check(question: &AveragingQuestion, flow: &Flow) -> Result<(), Derivation
     let velocity = along.rate(&flow.motion);
     let mut rest = along.rate(&velocity);
     let square = PiNumber::from(question.omega0().clone() * question.omega0().clone());
-    flow.motion.iter().for_each(|(place, part)| along.add(&mut rest, *place, &part.scaled(&square)));
+    flow.motion.iter().for_each(|(powers, part)| along.add(&mut rest, *powers, &part.scaled(&square)));
     let force = along.force(&question.flow, &flow.motion, &velocity);
-    force.iter().for_each(|(place, part)| along.add(&mut rest, *place, part));
-    let begins = |place: &PowerPair| flow.motion.get(place).map(PhaseFunction::at_start).unwrap_or_default();
-    let is_turn = |place: &PowerPair, part: &PhaseFunction| {
-        part.at_start().is_zero() && (begins(place).is_zero() || *place == (1, 0))
+    force.iter().for_each(|(powers, part)| along.add(&mut rest, *powers, part));
+    let begins =
+        |powers: &PowerPair| flow.motion.get(powers).map(PhaseFunction::at_start).unwrap_or_default();
+    let is_turn = |powers: &PowerPair, part: &PhaseFunction| {
+        part.at_start().is_zero() && (begins(powers).is_zero() || *powers == (1, 0))
     };
-    let turns = velocity.iter().all(|(place, part)| is_turn(place, part));
-    let known = |place: &PowerPair| velocity.get(place).cloned().unwrap_or_default();
-    let same = flow.velocity.iter().all(|(place, part)| known(place) == *part);
+    let turns = velocity.iter().all(|(powers, part)| is_turn(powers, part));
+    let velocity_at = |powers: &PowerPair| velocity.get(powers).cloned().unwrap_or_default();
+    let same = flow.velocity.iter().all(|(powers, part)| velocity_at(powers) == *part);
     let (opposite, half_turns) = match question.half_turns() {
         1 => (Rational::from(-1), 1),
         _ => (Rational::from(1), 2),
@@ -124,38 +125,39 @@ pub fn agrees_with_library(
     watch: &Watch<'_>,
 ) -> Result<SlowFlow, DerivationError> {
     let (equation, name) = (&question.equation, question.force.parameter.as_str());
-    let known =
+    let library =
         slow_flow(equation, Some(name), question.order, question.parameter_order, &Gauge::XMax, watch)?;
-    let is = |own: &BTreeMap<PowerPair, PiNumber>, place: PowerPair, other: &PiSum| {
-        own.get(&place).cloned().unwrap_or_default().is(other)
+    let is = |coefficients: &BTreeMap<PowerPair, PiNumber>, powers: PowerPair, other: &PiSum| {
+        coefficients.get(&powers).cloned().unwrap_or_default().is(other)
     };
     // A coefficient of the phase is determined together with the next power of the amplitude.
-    let same = |own: &BTreeMap<PowerPair, PiNumber>, series: &Vec<Vec<PiSum>>, found_with: usize| {
+    let same = |coefficients: &BTreeMap<PowerPair, PiNumber>, series: &Vec<Vec<PiSum>>, found_with: usize| {
         let rows = series.iter().enumerate();
         rows.flat_map(|(j, row)| row.iter().enumerate().map(move |(n, it)| ((n, j), it)))
             .filter(|((n, j), _)| question.asks_for((n + found_with, *j)))
-            .all(|(place, it)| is(own, place, it))
+            .all(|(powers, it)| is(coefficients, powers, it))
     };
-    let rates = same(&flow.growth, &known.amplitude_rate, 0) && same(&flow.frequency, &known.phase_rate, 1);
-    match rates && has_the_motion(question, flow, &known.motion) {
-        true => Ok(known),
+    let rates =
+        same(&flow.growth, &library.amplitude_rate, 0) && same(&flow.frequency, &library.phase_rate, 1);
+    match rates && has_the_motion(question, flow, &library.motion) {
+        true => Ok(library),
         false => Err(DerivationError::Disagreement { what: "two computations of the slow flow" }),
     }
 }
 
 fn has_the_motion(question: &AveragingQuestion, flow: &Flow, terms: &[PhaseTerm]) -> bool {
-    let shown = |place: &PowerPair| question.asks_for(*place);
-    let mut own: BTreeMap<(PowerPair, usize, usize, Wave), PiNumber> = BTreeMap::new();
-    for (place, part) in flow.motion.iter().filter(|(place, _)| shown(place)) {
+    let shown = |powers: &PowerPair| question.asks_for(*powers);
+    let mut terms_of_flow: BTreeMap<(PowerPair, usize, usize, Wave), PiNumber> = BTreeMap::new();
+    for (powers, part) in flow.motion.iter().filter(|(powers, _)| shown(powers)) {
         for ((power, k, wave), value) in part.terms() {
-            own.insert((*place, power, k, wave), value.clone());
+            terms_of_flow.insert((*powers, power, k, wave), value.clone());
         }
     }
     for term in terms {
         for (wave, series) in [(Wave::Cosine, &term.cos), (Wave::Sine, &term.sin)] {
             for (j, row) in series.iter().enumerate() {
                 for (n, other) in row.iter().enumerate().filter(|(n, _)| question.asks_for((*n, j))) {
-                    let value = own.remove(&((n, j), term.power, term.k, wave)).unwrap_or_default();
+                    let value = terms_of_flow.remove(&((n, j), term.power, term.k, wave)).unwrap_or_default();
                     if !value.is(other) {
                         return false;
                     }
@@ -163,5 +165,5 @@ fn has_the_motion(question: &AveragingQuestion, flow: &Flow, terms: &[PhaseTerm]
             }
         }
     }
-    own.is_empty()
+    terms_of_flow.is_empty()
 }

@@ -92,9 +92,9 @@ impl AveragingQuestion {
 
     /// A symbol of the equation that has another meaning in the derivation.
     fn clashing(&self) -> Option<String> {
-        let own = [&self.variable, &self.parameter].map(|name| name.letter.clone());
+        let letters = [&self.variable, &self.parameter].map(|name| name.letter.clone());
         let taken = ["A", "ψ", "v", "π", "τ"];
-        own.into_iter().find(|letter| taken.contains(&letter.as_str()))
+        letters.into_iter().find(|letter| taken.contains(&letter.as_str()))
     }
 
     /// The given acceleration, as a formula of the variable, its velocity and the small parameter.

@@ -143,11 +143,11 @@ pub(super) fn pendulum(
 /// Returns `true` if the restoring force is the sine.
 fn is_sine(question: &AveragingQuestion) -> bool {
     let x = Symbol::plain(question.force.oscillator.variable());
-    let own = question.force.oscillator.acceleration();
+    let acceleration = question.force.oscillator.acceleration();
     let sine = Expression::Call(Function::Sin, Box::new(Expression::Symbol(x.clone())));
     let series = |expression: &Expression| expression.taylor_series(&Rationals, &x, &0.into(), 20);
     let negative = Expression::Negate(Box::new(sine));
-    series(own).is_some_and(|own| Some(own) == series(&negative))
+    series(acceleration).is_some_and(|of_force| Some(of_force) == series(&negative))
 }
 
 /// The consequences of the published equation, with the power of the velocity itself instead of |θ′|ⁿ⁻¹θ′.

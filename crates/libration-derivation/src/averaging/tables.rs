@@ -7,8 +7,8 @@ use super::super::prose::Prose;
 pub(crate) fn in_terms(formula: &Formula) -> Prose {
     let Formula::Sum(terms) = formula else { return Prose::formula(formula.clone()) };
     let mut prose = Prose::text("");
-    for (place, term) in terms.iter().enumerate() {
-        let (sign, size) = match (place, is_negative(term)) {
+    for (index, term) in terms.iter().enumerate() {
+        let (sign, size) = match (index, is_negative(term)) {
             (0, _) => ("", term.clone()),
             (_, true) => (" − ", term.clone().negated()),
             (_, false) => (" + ", term.clone()),

@@ -50,7 +50,7 @@ pub enum AveragedClaim {
         /// The power of the parameter.
         parameter: usize,
         /// The contribution.
-        known: Formula,
+        value: Formula,
     },
     /// A coefficient of A′.
     Growth {

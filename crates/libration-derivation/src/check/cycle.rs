@@ -22,7 +22,7 @@ pub enum CycleClaim {
         /// The undetermined amplitude.
         open: Name,
         /// The known value of the amplitude.
-        known: Formula,
+        value: Formula,
     },
     /// The factor of the sine on the right side, which must vanish.
     Sine {

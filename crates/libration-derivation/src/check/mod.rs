@@ -114,7 +114,7 @@ pub enum Check {
     /// All sides have the same value, in many digits.
     Digits {
         /// Amplitudes or parameters of the comparison.
-        place: ComparedAt,
+        compared_at: ComparedAt,
         /// The value at the first amplitude or parameter.
         value: Decimal,
         /// The largest difference, relative to the size of the sides.
@@ -256,8 +256,8 @@ pub(super) fn same_series_for_choices(
 }
 
 /// The fraction for a symbol in one choice: squares, so that the root of a product of symbols is a fraction.
-pub(super) fn chosen(place: usize, choice: usize) -> Rational {
-    let [over, under] = [2 * place + choice + 3, place + 2].map(|n| i64::try_from(n).unwrap_or(1));
+pub(super) fn chosen(index: usize, choice: usize) -> Rational {
+    let [over, under] = [2 * index + choice + 3, index + 2].map(|n| i64::try_from(n).unwrap_or(1));
     let root = Rational::new(over, under).unwrap_or_else(|| Rational::from(1));
     root.clone() * root
 }
@@ -268,14 +268,14 @@ fn symbolic(_: usize, symbol: &Variable) -> Option<Polynomial> {
 
 pub(super) fn letters_of(given: &[Given]) -> Letters {
     let mut letters = Letters::default();
-    for (place, given) in given.iter().enumerate() {
+    for (index, given) in given.iter().enumerate() {
         match given {
             Given::Value(name, formula) => letters.values.push((name.clone(), formula.clone())),
             Given::Function(name, parameter, body) => {
                 letters.functions.push((Name::new(name), vec![Name::new(parameter)], body.clone()));
             }
             Given::Symbol(symbol) => {
-                letters.values.push((Name::from(symbol), Formula::Number(chosen(place, 0))));
+                letters.values.push((Name::from(symbol), Formula::Number(chosen(index, 0))));
             }
         }
     }
@@ -329,10 +329,10 @@ impl ComparedSeries<'_> {
             let other = side(statement, formula, &ring, &values)?;
             compared = compared.min(other.len());
             let difference = ring.subtract(&first, &other);
-            if let Some((place, rest)) =
+            if let Some((power, rest)) =
                 difference.iter().map(rest).enumerate().find_map(|(n, it)| Some((n, it?)))
             {
-                return Err(failed(statement, format!("its sides differ by {rest} in the power {place}")));
+                return Err(failed(statement, format!("its sides differ by {rest} in the power {power}")));
             }
         }
         match compared < self.coefficients {
@@ -352,7 +352,7 @@ impl ComparedSeries<'_> {
         let ring = PowerSeries { coefficients: numbers, terms: self.coefficients + 6 };
         let mut values = Values::default();
         values.set(self.variable, ring.variable().expect("fractions have a one"));
-        for (place, given) in self.given.iter().enumerate() {
+        for (index, given) in self.given.iter().enumerate() {
             match given {
                 Given::Value(name, formula) => {
                     let value = side(statement, formula, &ring, &values)?;
@@ -363,7 +363,7 @@ impl ComparedSeries<'_> {
                 }
                 Given::Symbol(symbol) => {
                     let mut value = ring.zero();
-                    if let (Some(first), Some(number)) = (value.first_mut(), symbols(place, symbol)) {
+                    if let (Some(first), Some(number)) = (value.first_mut(), symbols(index, symbol)) {
                         *first = number;
                     }
                     values.set(&Name::from(symbol), value);

@@ -20,7 +20,7 @@ pub enum QuarterClaim {
     /// The right side that lower powers lead to.
     Forcing {
         /// The right side without the correction of the frequency.
-        known: Formula,
+        value: Formula,
     },
     /// The solution for this right side that begins at rest in zero.
     Begun,

@@ -57,7 +57,7 @@ impl Check {
                 _ => "checked: the same polynomial, exactly",
             }),
             Self::RoundedDigits => Prose::text("checked: the digits printed are those of the exact value"),
-            Self::Digits { place: ComparedAt::Choices { choices }, difference, .. } => {
+            Self::Digits { compared_at: ComparedAt::Choices { choices }, difference, .. } => {
                 let equal =
                     Prose::text(format!("checked for {choices} choices of the symbols: equal in all digits"));
                 match *difference > 0.0 {
@@ -66,8 +66,8 @@ impl Check {
                     false => equal,
                 }
             }
-            Self::Digits { place, value, difference, against } => {
-                place.to_prose().and(agreement(value, *difference, *against))
+            Self::Digits { compared_at: point, value, difference, against } => {
+                point.to_prose().and(agreement(value, *difference, *against))
             }
         }
     }

@@ -46,8 +46,8 @@ impl Decimal {
             return Self { mantissa: mantissa.to_owned(), exponent, unit };
         }
         let places = i32::try_from(digits).unwrap_or(i32::MAX).saturating_sub(1).saturating_sub(exponent);
-        let places = usize::try_from(places).unwrap_or(0);
-        Self { mantissa: format!("{value:.places$}"), exponent: 0, unit }
+        let decimals = usize::try_from(places).unwrap_or(0);
+        Self { mantissa: format!("{value:.decimals$}"), exponent: 0, unit }
     }
 
     /// Rounds like [`rounded`](Self::rounded), without trailing zeros, for a given number.

@@ -22,8 +22,8 @@ impl Formula {
 
     /// The functions that the formula applies.
     pub(crate) fn applied(&self) -> Vec<Name> {
-        let own = if let Self::Apply(name, _) = self { Some(name.clone()) } else { None };
-        own.into_iter().chain(self.parts().into_iter().flat_map(Self::applied)).collect()
+        let name = if let Self::Apply(name, _) = self { Some(name.clone()) } else { None };
+        name.into_iter().chain(self.parts().into_iter().flat_map(Self::applied)).collect()
     }
 
     /// The direct parts of the formula.

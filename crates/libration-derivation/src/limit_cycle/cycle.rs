@@ -13,7 +13,7 @@ pub(super) struct CycleOrder {
     /// The parts of the equation of motion with their contributions to the right side: the index of the term, or `None` for the acceleration.
     pub(super) parts: Vec<(Option<usize>, Polynomial, Open)>,
     /// The sum of the contributions, as a function of the undetermined amplitude one power below.
-    pub(super) known: Open,
+    pub(super) forcing: Open,
     /// The amplitude one power below.
     pub(super) amplitude_below: Rational,
     /// Ωₙ.
@@ -55,36 +55,36 @@ impl Cycle {
         let wave = PhaseFunction::cosine().scaled(&amplitude.clone().into());
         match n.checked_sub(1) {
             None => Some(wave),
-            Some(place) => Some(self.orders.get(place)?.forced.plus(&wave)),
+            Some(below) => Some(self.orders.get(below)?.forced.plus(&wave)),
         }
     }
 
     pub(super) fn frequency(&self, question: &AveragingQuestion, n: usize) -> Rational {
         match n.checked_sub(1) {
             None => question.omega0().clone(),
-            Some(place) => {
-                self.orders.get(place).map_or_else(|| Rational::from(0), |order| order.frequency.clone())
+            Some(below) => {
+                self.orders.get(below).map_or_else(|| Rational::from(0), |order| order.frequency.clone())
             }
         }
     }
 
     /// Returns `true` if the whole cycle equals this expansion.
-    pub(super) fn is(&self, question: &AveragingQuestion, known: &Expansion) -> bool {
+    pub(super) fn is(&self, question: &AveragingQuestion, expansion: &Expansion) -> bool {
         let omega0 = question.omega0();
         let frequencies = (0..=self.orders.len()).all(|n| {
             let ratio = self.frequency(question, n).checked_div(omega0);
-            ratio.as_ref() == known.frequency_ratio.get(n)
+            ratio.as_ref() == expansion.frequency_ratio.get(n)
         });
         let motions = (0..self.orders.len()).all(|n| {
-            let Some(own) = self.motion(n) else { return false };
-            let other = known.harmonics.iter().fold(PhaseFunction::default(), |sum, harmonic| {
+            let Some(motion) = self.motion(n) else { return false };
+            let other = expansion.harmonics.iter().fold(PhaseFunction::default(), |sum, harmonic| {
                 let part = |series: &[Rational], wave| {
                     let value = series.get(n).cloned().unwrap_or_else(|| Rational::from(0));
                     PhaseFunction::term(0, harmonic.k, wave, PiNumber::from(value))
                 };
                 sum.plus(&part(&harmonic.cos, Wave::Cosine)).plus(&part(&harmonic.sin, Wave::Sine))
             });
-            own == other
+            motion == other
         });
         frequencies && motions
     }
@@ -98,8 +98,8 @@ fn next(
 ) -> Result<CycleOrder, DerivationError> {
     let lower = LowerOrders::new(question, orders, n);
     let parts = lower.parts(question, n);
-    let known = parts.iter().fold(Open::default(), |sum, (_, _, value)| sum.plus(value));
-    let sine = known.first_harmonic(Wave::Sine);
+    let forcing = parts.iter().fold(Open::default(), |sum, (_, _, value)| sum.plus(value));
+    let sine = forcing.first_harmonic(Wave::Sine);
     let amplitude_below = match n {
         1 => begin.clone(),
         _ => {
@@ -108,7 +108,7 @@ fn next(
             (-fixed.clone()).checked_div(factor).ok_or(DerivationError::NoCycle)?
         }
     };
-    let right = known.at(&amplitude_below);
+    let right = forcing.at(&amplitude_below);
     if !right.coefficient(0, 1, Wave::Sine).is_zero() {
         return Err(DerivationError::NoCycle);
     }
@@ -123,14 +123,14 @@ fn next(
         let factor = Rational::from(1).checked_div(&stiffness).ok_or(DerivationError::NoCycle)?;
         forced = forced.plus(&PhaseFunction::term(0, k, wave, value.scaled(&factor)));
     }
-    Ok(CycleOrder { parts, known, amplitude_below, frequency, forced })
+    Ok(CycleOrder { parts, forcing, amplitude_below, frequency, forced })
 }
 
 impl LowerOrders {
     /// The quantities known when a power is solved; the amplitude one power below is undetermined.
     fn new(question: &AveragingQuestion, orders: &[CycleOrder], n: usize) -> Self {
         let cycle = |m: usize| -> Open {
-            let forced = m.checked_sub(1).and_then(|place| orders.get(place)).map(|it| it.forced.clone());
+            let forced = m.checked_sub(1).and_then(|below| orders.get(below)).map(|it| it.forced.clone());
             let forced = Open::from(forced.unwrap_or_default());
             match orders.get(m) {
                 None => forced.plus(&Open::wave()),
@@ -175,7 +175,7 @@ impl LowerOrders {
         let one = vec![Polynomial::constant(Rational::from(1))];
         let product = |factors: &[&Vec<Polynomial>], shift: usize| {
             let whole = factors.iter().fold(one.clone(), |whole, it| times(&whole, it, n));
-            n.checked_sub(shift).and_then(|place| whole.get(place).cloned()).unwrap_or_default()
+            n.checked_sub(shift).and_then(|power| whole.get(power).cloned()).unwrap_or_default()
         };
         let mut parts = vec![(None, product(&[&w, &w, &curved], 0))];
         for (number, term) in question.flow.terms.iter().enumerate() {
@@ -196,13 +196,13 @@ impl LowerOrders {
         products.terms().fold(Open::default(), |sum, (monomial, factor)| {
             let one = constant(Rational::from(1));
             let product = monomial.factors().iter().fold(one, |product, (variable, exponent)| {
-                let place = usize::try_from(variable.index().unwrap_or(0)).unwrap_or(usize::MAX);
-                let of = |list: &[Open]| list.get(place).cloned().unwrap_or_default();
+                let index = usize::try_from(variable.index().unwrap_or(0)).unwrap_or(usize::MAX);
+                let of = |list: &[Open]| list.get(index).cloned().unwrap_or_default();
                 let value = match variable.letters() {
                     "x" => of(&self.motion),
                     "x''" => of(&self.motion).slope().slope(),
                     "v" => of(&self.velocity),
-                    _ => constant(self.frequency.get(place).cloned().unwrap_or_else(|| Rational::from(0))),
+                    _ => constant(self.frequency.get(index).cloned().unwrap_or_else(|| Rational::from(0))),
                 };
                 (0..*exponent).fold(product, |product, _| product.times(&value))
             });

@@ -35,27 +35,27 @@ impl Known {
 
     /// The amplitude without excitation, if it is a fraction.
     pub(super) fn beginning(&self) -> Result<Rational, DerivationError> {
-        let found = match self {
-            Self::Fractions(known) => {
-                let is_plain = known.unit_squared == Rational::from(1);
-                known.harmonic(1).filter(|_| is_plain).and_then(|it| it.cos.first().cloned())
+        let amplitude = match self {
+            Self::Fractions(expansion) => {
+                let is_plain = expansion.unit_squared == Rational::from(1);
+                expansion.harmonic(1).filter(|_| is_plain).and_then(|it| it.cos.first().cloned())
             }
-            Self::Digits(known) => known.amplitude.first().copied().and_then(fraction),
+            Self::Digits(digits) => digits.amplitude.first().copied().and_then(fraction),
         };
-        found.ok_or(DerivationError::NoCycle)
+        amplitude.ok_or(DerivationError::NoCycle)
     }
 
     /// Returns `true` if a limit cycle equals this one.
     pub(super) fn is(&self, question: &AveragingQuestion, cycle: &Cycle) -> bool {
-        let known = match self {
-            Self::Fractions(known) => return cycle.is(question, known),
-            Self::Digits(known) => known,
+        let decimals = match self {
+            Self::Fractions(expansion) => return cycle.is(question, expansion),
+            Self::Digits(digits) => digits,
         };
         // The digits known are those of an `f64`, after sums of some dozen terms.
         let near = |a: Rational, b: &f64| (a.to_f64() - b).abs() <= 1e-9 * b.abs().max(1.0);
-        let amplitudes = cycle.orders.iter().zip(&known.amplitude);
-        let frequencies = known.frequency.iter().enumerate();
-        known.amplitude.len() == cycle.orders.len()
+        let amplitudes = cycle.orders.iter().zip(&decimals.amplitude);
+        let frequencies = decimals.frequency.iter().enumerate();
+        decimals.amplitude.len() == cycle.orders.len()
             && amplitudes.into_iter().all(|(order, it)| near(order.amplitude_below.clone(), it))
             && frequencies.into_iter().all(|(n, it)| near(cycle.frequency(question, n), it))
     }

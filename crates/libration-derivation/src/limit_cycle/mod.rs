@@ -52,12 +52,12 @@ pub fn limit_cycle(
     if !is_linear || question.flow.kinked || question.flow.lift > 0 {
         return Err(DerivationError::NoPolynomial);
     }
-    let known = match Known::new(&question, order, &watch.part()) {
+    let library = match Known::new(&question, order, &watch.part()) {
         Err(_) if watch.is_stopped() => return Err(Interrupted.into()),
-        known => known?,
+        outcome => outcome?,
     };
-    let cycle = Cycle::new(&question, order, &known.beginning()?)?;
-    if !known.is(&question, &cycle) {
+    let cycle = Cycle::new(&question, order, &library.beginning()?)?;
+    if !library.is(&question, &cycle) {
         return Err(DerivationError::Disagreement { what: "two computations of the limit cycle" });
     }
     let title = "A limit cycle, by powers of its excitation".to_owned();

@@ -53,9 +53,9 @@ pub(super) fn equation(question: &AveragingQuestion) -> DerivationStep {
     let step = match question.variable == question.displacement {
         true => step,
         false => {
-            let (variable, place) =
+            let (variable, equilibrium) =
                 (Formula::from(&question.variable), Formula::from(question.equilibrium.clone()));
-            let definition = Statement::defined(question.u(), variable - place);
+            let definition = Statement::defined(question.u(), variable - equilibrium);
             step.say("The displacement is counted from the place of rest:", [])
                 .show(CheckedEquation::definition(definition))
         }
@@ -116,7 +116,7 @@ fn checked(
 }
 
 pub(super) fn one_power(question: &AveragingQuestion, cycle: &Cycle, n: usize) -> DerivationStep {
-    let found = &cycle.orders[n - 1];
+    let order = &cycle.orders[n - 1];
     let open = index("A", n - 1);
     const ORDINALS: [&str; 9] =
         ["first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth"];
@@ -132,13 +132,13 @@ pub(super) fn one_power(question: &AveragingQuestion, cycle: &Cycle, n: usize) -
         true => way(step),
         false => step.fold("Contributions of lower powers, and the equation", way),
     };
-    let sine = polynomial(&found.known.first_harmonic(Wave::Sine), &Formula::from(&open));
-    let amplitude = Statement::equal(&open, found.amplitude_below.clone());
-    let frequency = Statement::equal(index("Ω", n), found.frequency.clone());
-    let own = index("A", n);
-    let mut motion = vec![Formula::from(&own) * cos(tau())];
-    if !found.forced.is_zero() {
-        motion.push(series(&found.forced, "τ"));
+    let sine = polynomial(&order.forcing.first_harmonic(Wave::Sine), &Formula::from(&open));
+    let amplitude = Statement::equal(&open, order.amplitude_below.clone());
+    let frequency = Statement::equal(index("Ω", n), order.frequency.clone());
+    let newest = index("A", n);
+    let mut motion = vec![Formula::from(&newest) * cos(tau())];
+    if !order.forced.is_zero() {
+        motion.push(series(&order.forced, "τ"));
     }
     let motion = motion.into_iter().reduce(|sum, term| sum + term).unwrap_or_else(|| number(0));
     let motion = Statement::equal(motion_name(question, n), motion);
@@ -154,7 +154,7 @@ pub(super) fn one_power(question: &AveragingQuestion, cycle: &Cycle, n: usize) -
         .say("With this amplitude the part of {} vanishes for", [cos(tau())])
         .show(checked(question, n, frequency, CycleClaim::Frequency))
         .say("What is left forces, each harmonic divided by its own stiffness,", [])
-        .show(checked(question, n, motion, CycleClaim::Motion { open: own }))
+        .show(checked(question, n, motion, CycleClaim::Motion { open: newest }))
 }
 
 fn amplitude_found(n: usize) -> &'static str {
@@ -221,20 +221,20 @@ fn of_products(question: &AveragingQuestion, products: &Polynomial) -> Formula {
 }
 
 fn forcing(question: &AveragingQuestion, cycle: &Cycle, n: usize) -> CheckedEquation {
-    let CycleOrder { known, .. } = &cycle.orders[n - 1];
+    let CycleOrder { forcing, .. } = &cycle.orders[n - 1];
     let open = index("A", n - 1);
     let x = |primes: usize| {
         let name = (0..primes).fold(motion_name(question, n), |name, _| name.prime());
         scaled(&with_omega0(question, 1, 2), name.into())
     };
-    let written = known.written(&open);
+    let written = forcing.written(&open);
     let frequency = Formula::from(index("Ω", n)) * cos(tau());
     let newest = match n {
         1 => scaled(&with_omega0(question, 2, 1), Formula::from(&open) * frequency),
         _ => scaled(&(with_omega0(question, 2, 1) * cycle.orders[0].amplitude_below.clone()), frequency),
     };
     let right = if written == number(0) { newest } else { written.clone() + newest };
-    let claim = CycleClaim::Forcing { open, known: written };
+    let claim = CycleClaim::Forcing { open, value: written };
     checked(question, n, Statement::equal(x(2) + x(0), right), claim)
 }
 

@@ -104,8 +104,8 @@ fn terms(
     } else {
         evaluation
     };
-    let found = exact(motion, SeriesQuantity::Period);
-    let exact = found.as_ref().ok().map(|exact| exact.value);
+    let period = exact(motion, SeriesQuantity::Period);
+    let exact = period.as_ref().ok().map(|exact| exact.value);
     let rows = evaluation.steps().iter().filter(|step| step.power < question.order).map(|step| {
         let mut row = vec![
             Prose::formula(number(i64::try_from(step.power).unwrap_or(i64::MAX))),
@@ -124,12 +124,12 @@ fn terms(
     } else {
         format!("the rest is estimated from the terms to the power {LONGER}")
     };
-    Ok(DerivationTable::numbers(head, rows, note(&basis, &found)))
+    Ok(DerivationTable::numbers(head, rows, note(&basis, &period)))
 }
 
 /// The note on the basis of the remainders and the errors.
-fn note(basis: &str, found: &Result<ExactValue, ExactValueError>) -> Prose {
-    let exact = match found {
+fn note(basis: &str, period: &Result<ExactValue, ExactValueError>) -> Prose {
+    let exact = match period {
         Err(reason) => return Prose::text(format!("{basis}; there is no exact value: {reason}")),
         Ok(exact) => exact,
     };
@@ -139,9 +139,9 @@ fn note(basis: &str, found: &Result<ExactValue, ExactValueError>) -> Prose {
         .and(Prose::formula(rounded(exact.uncertainty, 1, DecimalUnit::One)));
     match exact.encloses {
         None => note,
-        Some(place) => note
+        Some(equilibrium) => note
             .and(Prose::text(", of a motion that goes around another equilibrium too, at "))
-            .and(Prose::formula(rounded(place, 6, DecimalUnit::One)))
+            .and(Prose::formula(rounded(equilibrium, 6, DecimalUnit::One)))
             .and(Prose::text(", and is not what the series is for")),
     }
 }
@@ -158,7 +158,7 @@ fn rest(remainder: Remainder) -> Prose {
 pub fn motion(
     question: &LindstedtQuestion,
     released: &Released,
-    found: &Exactly,
+    exact_motion: &Exactly,
 ) -> Result<DerivationTable, DerivationError> {
     let of = of_amplitude(question, &question.solution)?;
     let amplitude = released.amplitude.to_f64();
@@ -167,7 +167,7 @@ pub fn motion(
         series.iter().take(powers).rev().fold(0.0, |sum, c| sum * amplitude + number(c))
     };
     let unit = if is_angle(question) { DecimalUnit::Radian } else { DecimalUnit::One };
-    let exactly = |quantity| exact(found, quantity).ok().map(|exact| exact.value);
+    let exactly = |quantity| exact(exact_motion, quantity).ok().map(|exact| exact.value);
     let ratio = value(&of.period_ratio, question.order);
     let exact_ratio = exactly(SeriesQuantity::Period);
     let mut rows = vec![

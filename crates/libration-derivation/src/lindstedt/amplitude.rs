@@ -96,12 +96,12 @@ fn passes(
         .say("begin with the first term alone, and put each result into {} again:", [letter("F")])
         .show(CheckedEquation::definition(Statement::defined(answer(0), start.clone())));
     let wanted = &of_amplitude(question, &question.solution)?.epsilon;
-    let mut known = vec![Polynomial::zero(), Polynomial::constant(scale)];
+    let mut partial = vec![Polynomial::zero(), Polynomial::constant(scale)];
     for pass in 1..=question.order {
         let again = start.clone() + apply("F", [answer(pass - 1).into()]);
         let mut given = question.free_symbols();
         given.push(Given::Function("F", "z", function.clone()));
-        given.push(Given::Value(answer(pass - 1), polynomial(&known, &amplitude)));
+        given.push(Given::Value(answer(pass - 1), polynomial(&partial, &amplitude)));
         given.push(Given::Value(answer(pass), again.clone()));
         let mut next = series_value(&question.amplitude(), question.order + 1, &given, &again)?;
         next.truncate(question.order + 1);
@@ -111,15 +111,15 @@ fn passes(
             question.order + 1,
         ));
         step = step.show(same_series_where(&question.amplitude(), question.order + 1, &given, statement)?);
-        known = next;
-        if known.iter().eq(wanted.iter().take(question.order + 1)) {
+        partial = next;
+        if partial.iter().eq(wanted.iter().take(question.order + 1)) {
             return Ok(step.say(
                 "Each pass has settled at least one more coefficient, and another would change nothing: this is the series of {}.",
                 [letter("ε")],
             ));
         }
     }
-    let statement = Statement::from(polynomial(&known, &amplitude));
+    let statement = Statement::from(polynomial(&partial, &amplitude));
     Err(failed(&statement, "the iteration does not lead to the series of the engine".to_owned()))
 }
 

@@ -91,8 +91,8 @@ impl Contributions {
 
 /// The terms of a sum in pairs; a line may end between them.
 fn in_groups_of(terms: &[Formula]) -> Prose {
-    let pairs = terms.chunks(2).enumerate().map(|(place, pair)| {
-        let plus = if place > 0 { Prose::text(" + ") } else { Prose(vec![]) };
+    let pairs = terms.chunks(2).enumerate().map(|(index, pair)| {
+        let plus = if index > 0 { Prose::text(" + ") } else { Prose(vec![]) };
         plus.and(Prose::formula(sum(pair.to_vec())))
     });
     pairs.fold(Prose(vec![]), Prose::and)
@@ -107,13 +107,13 @@ fn in_groups(polynomial: &Polynomial) -> Prose {
     };
     let negative: Vec<bool> = polynomial.terms().map(|(_, factor)| *factor < Rational::from(0)).collect();
     let groups = terms.chunks(GROUP).zip(negative.iter().step_by(GROUP)).enumerate();
-    groups.fold(Prose(vec![]), |prose, (place, (group, is_negative))| {
+    groups.fold(Prose(vec![]), |prose, (index, (group, is_negative))| {
         let mut group = group.to_vec();
-        if *is_negative && place > 0 {
+        if *is_negative && index > 0 {
             group[0] = group[0].clone().negated();
         }
         let sign = if *is_negative { " − " } else { " + " };
-        let prose = if place > 0 { prose.and(Prose::text(sign)) } else { prose };
+        let prose = if index > 0 { prose.and(Prose::text(sign)) } else { prose };
         prose.and(Prose::formula(sum(group)))
     })
 }
@@ -160,13 +160,13 @@ fn velocity(question: &LindstedtQuestion, displacement: &Factors) -> Factors {
 
 /// uᵖ·(Δu′)^q with an even q, from the shorter products.
 fn power(
-    known: &mut BTreeMap<[u32; 2], Factors>,
+    products: &mut BTreeMap<[u32; 2], Factors>,
     [displacement, velocity]: [&Factors; 2],
     exponents: [u32; 2],
     order: usize,
 ) -> Factors {
     let both = [displacement, velocity];
-    if let Some(factors) = known.get(&exponents) {
+    if let Some(factors) = products.get(&exponents) {
         return factors.clone();
     }
     let factors = match exponents {
@@ -174,12 +174,12 @@ fn power(
         [0, 0] => Factors::from([((0, 0), Polynomial::constant(Rational::from(1)))]),
         [0, 2] => product_of_waves(velocity, velocity, -1, order),
         [0, q] => {
-            let square = power(known, both, [0, 2], order);
-            product(&power(known, both, [0, q.saturating_sub(2)], order), &square, order)
+            let square = power(products, both, [0, 2], order);
+            product(&power(products, both, [0, q.saturating_sub(2)], order), &square, order)
         }
-        [p, q] => product(&power(known, both, [p - 1, q], order), displacement, order),
+        [p, q] => product(&power(products, both, [p - 1, q], order), displacement, order),
     };
-    known.insert(exponents, factors.clone());
+    products.insert(exponents, factors.clone());
     factors
 }
 

@@ -20,17 +20,17 @@ pub(super) fn step(
     if question.oscillator.is_some() {
         return Ok(None);
     }
-    let found = expand_symbolically(&question.symbolic, question.order, &Gauge::XMax, watch);
-    let found = found.map_err(|_| DerivationError::NoFractions)?;
-    let Some(of) = &found.series.of_amplitude else { return Ok(None) };
+    let outcome = expand_symbolically(&question.symbolic, question.order, &Gauge::XMax, watch);
+    let expansion = outcome.map_err(|_| DerivationError::NoFractions)?;
+    let Some(of) = &expansion.series.of_amplitude else { return Ok(None) };
     let (ratio, reduced) = (&of.frequency_ratio, of_amplitude(question, &question.solution)?);
     let step = DerivationStep::new("in-symbols", "The result in the symbols of the equation")
         .say("With what the symbols stand for, the frequency and the harmonics are", []);
-    let frequency = frequency(question, &found, ratio);
+    let frequency = frequency(question, &expansion, ratio);
     let statement = Statement::equal(letter("Ω"), omega0() * letter("Δ")).and_equal(frequency);
     let mut step = step.show(checked(question, question.order, statement)?);
     for (k, _) in reduced.harmonics.iter().filter(|(k, _)| *k <= question.order) {
-        let Some((_, series)) = of.harmonics.iter().find(|(own, _)| own == k) else { continue };
+        let Some((_, series)) = of.harmonics.iter().find(|(other, _)| other == k) else { continue };
         let series = series_formula(question, series, question.order + 1);
         let statement = Statement::equal(harmonic_name(*k), series);
         step = step.show(checked(question, question.order + 1, statement)?);
@@ -41,10 +41,10 @@ pub(super) fn step(
 /// Ω by powers of the amplitude.
 fn frequency(
     question: &LindstedtQuestion,
-    found: &SymbolicExpansion,
+    expansion: &SymbolicExpansion,
     ratio: &[LaurentPolynomial],
 ) -> Formula {
-    match &found.omega0 {
+    match &expansion.omega0 {
         Some(root) => {
             let ring = LaurentPolynomials::new(root.letters().to_vec());
             let products: Vec<LaurentPolynomial> = ratio.iter().map(|it| ring.multiply(root, it)).collect();

@@ -131,7 +131,7 @@ fn substituted(question: &LindstedtQuestion, condition: &Condition, statement: S
 }
 
 fn open_condition(question: &LindstedtQuestion, condition: &Condition) -> OpenCondition {
-    let place = |n: u32| usize::try_from(n).unwrap_or(usize::MAX);
+    let index = |n: u32| usize::try_from(n).unwrap_or(usize::MAX);
     let powers = question.powers();
     let harmonics = question.harmonics().into_iter().flat_map(|k| {
         powers.iter().map(move |n| (*n, k, Name::from(&coefficient_name(k, *n)))).collect::<Vec<_>>()
@@ -149,8 +149,8 @@ fn open_condition(question: &LindstedtQuestion, condition: &Condition) -> OpenCo
         frequency: corrections.collect(),
         lower: lower.collect(),
         fixes: fixed_by(condition).map(|unknown| Name::from(&unknown)),
-        order: place(condition.order),
-        harmonic: place(condition.harmonic),
+        order: index(condition.order),
+        harmonic: index(condition.harmonic),
     }
 }
 
@@ -309,13 +309,13 @@ fn motion(
     newest: Newest,
 ) -> Motion {
     let value = |variable: Variable, n: usize| {
-        let found = question.open.solution().get(&variable);
-        let found = found.filter(|_| match newest {
+        let coefficient = question.open.solution().get(&variable);
+        let solved = coefficient.filter(|_| match newest {
             Newest::AllOpen => false,
             Newest::Open => n < order,
             Newest::Solved => true,
         });
-        found.map_or_else(|| Polynomial::constant(any(&variable)), |found| at(question, found, any))
+        solved.map_or_else(|| Polynomial::constant(any(&variable)), |value| at(question, value, any))
     };
     let zero = Polynomial::zero;
     let powers = question.powers();

@@ -100,13 +100,13 @@ pub(super) fn of_term(
             for cosines in selections(&powers, count(term.position), n - of_ratio - split) {
                 for sines in selections(&powers, count(term.velocity), split) {
                     let harmonics = |chosen: &[usize]| -> Vec<i64> {
-                        chosen.iter().map(|place| i64::from(all[*place].0.1)).collect()
+                        chosen.iter().map(|index| i64::from(all[*index].0.1)).collect()
                     };
                     let share = share(&harmonics(&cosines), &harmonics(&sines), i64::from(k));
                     let orderings = Rational::from(orderings(&cosines) * orderings(&sines));
                     let one = Polynomial::constant(Rational::from(1));
                     let chosen = cosines.iter().chain(&sines);
-                    let letters = chosen.fold(one, |product, place| product * all[*place].1.clone());
+                    let letters = chosen.fold(one, |product, index| product * all[*index].1.clone());
                     products.add_term(term, [orderings, share], part.clone(), letters);
                 }
             }
@@ -155,9 +155,9 @@ fn selections(powers: &[u32], count: usize, sum: u32) -> Vec<Vec<usize>> {
             }
             return;
         }
-        for place in (first..powers.len()).filter(|place| powers[*place] <= sum) {
-            chosen.push(place);
-            extend(powers, place, count - 1, sum - powers[place], chosen, all);
+        for index in (first..powers.len()).filter(|index| powers[*index] <= sum) {
+            chosen.push(index);
+            extend(powers, index, count - 1, sum - powers[index], chosen, all);
             chosen.pop();
         }
     }
@@ -170,8 +170,8 @@ fn selections(powers: &[u32], count: usize, sum: u32) -> Vec<Vec<usize>> {
 fn orderings(chosen: &[usize]) -> i64 {
     let mut repetitions = BTreeMap::new();
     let mut product = 1;
-    for (place, count) in chosen.iter().zip(1_i64..) {
-        let repeated = repetitions.entry(place).or_insert(0_i64);
+    for (index, count) in chosen.iter().zip(1_i64..) {
+        let repeated = repetitions.entry(index).or_insert(0_i64);
         *repeated += 1;
         product = product * count / *repeated;
     }

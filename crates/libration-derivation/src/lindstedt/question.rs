@@ -47,9 +47,9 @@ impl LindstedtQuestion {
             Kind::TwoSided => return Err(DerivationError::TwoSided),
             _ => return Err(DerivationError::Velocity),
         }
-        let place = oscillator.equilibrium().exact().ok_or(DerivationError::NoFractions)?;
-        let place = Expression::Number(place.clone());
-        let symbolic = SymbolicOscillator::about(oscillator.equation(), &place);
+        let equilibrium = oscillator.equilibrium().exact().ok_or(DerivationError::NoFractions)?;
+        let equilibrium_value = Expression::Number(equilibrium.clone());
+        let symbolic = SymbolicOscillator::about(oscillator.equation(), &equilibrium_value);
         let symbolic = symbolic.map_err(|_| DerivationError::NoFractions)?;
         Self::of_either(Some(oscillator), symbolic, [order, order], gauge, watch)
     }
@@ -192,7 +192,7 @@ impl LindstedtQuestion {
         let letters = self.symbolic.letters().iter().map(|name| Name::from(&Symbol::plain(name)));
         let root = Name::new("ω").index(0);
         let has_root = letters.clone().any(|name| name == root);
-        let of = |(place, name): (usize, Name)| Given::Value(name, chosen(place, choice).into());
+        let of = |(index, name): (usize, Name)| Given::Value(name, chosen(index, choice).into());
         let mut given: Vec<Given<'_>> = letters.enumerate().map(of).collect();
         if !has_root {
             given.push(Given::Value(root, sqrt(self.omega0_squared.clone())));

@@ -32,10 +32,10 @@ impl Reduced {
             let per_velocity = ring.power(square, &Rational::from(i64::try_from(velocity / 2).ok()?))?;
             let numerator = ring.negate(&ring.multiply(&value, &per_velocity));
             let ratio = ring.divide(&numerator, square);
-            let known = numerators
+            let multiple = numerators
                 .iter()
                 .find_map(|(symbol, other)| Some((symbol, ring.divide(&numerator, other)?.to_constant()?)));
-            let factor = match (ratio.as_ref().and_then(LaurentPolynomial::to_constant), known) {
+            let factor = match (ratio.as_ref().and_then(LaurentPolynomial::to_constant), multiple) {
                 (Some(number), _) => Polynomial::constant(number),
                 (None, Some((symbol, number))) => Polynomial::variable(symbol.clone()).scaled(&number),
                 (None, None) => {
@@ -67,8 +67,8 @@ impl Reduced {
             *first = Rational::from(1);
         }
         for term in &self.terms {
-            let place = usize::try_from(term.position).ok().and_then(|position| position.checked_sub(1));
-            match (term.velocity, term.factor.to_constant(), place.and_then(|place| factors.get_mut(place))) {
+            let below = usize::try_from(term.position).ok().and_then(|position| position.checked_sub(1));
+            match (term.velocity, term.factor.to_constant(), below.and_then(|index| factors.get_mut(index))) {
                 (0, Some(number), Some(factor)) => *factor = number,
                 _ => return vec![],
             }
@@ -129,12 +129,12 @@ pub(super) fn omega0() -> Formula {
 
 /// A sum of products of symbols, in the symbols and constants of the equation.
 pub(super) fn in_symbols(oscillator: &SymbolicOscillator, of: &LaurentPolynomial) -> Formula {
-    let own = oscillator.ring().letters().last();
+    let last = oscillator.ring().letters().last();
     laurent(of, &|name| {
-        let constant = oscillator.constants().iter().find(|(known, _)| known == name);
+        let constant = oscillator.constants().iter().find(|(letter, _)| letter == name);
         match constant {
             Some((_, constant)) => constant.into(),
-            None if own.is_some_and(|own| own == name) => omega0(),
+            None if last.is_some_and(|root| root == name) => omega0(),
             None => Formula::Name(Name::from(&Symbol::plain(name))),
         }
     })

@@ -23,8 +23,8 @@ fn other(question: &LindstedtQuestion) -> Gauge {
 
 pub(super) fn comparison(question: &LindstedtQuestion) -> Result<DerivationStep, DerivationError> {
     let watch = &Watch::new(&Quiet);
-    let (own, reduced) = (question.oscillator.as_ref(), &question.reduced);
-    let other = Solution::new(own, reduced, question.order, &other(question), watch)?;
+    let (oscillator, reduced) = (question.oscillator.as_ref(), &question.reduced);
+    let other = Solution::new(oscillator, reduced, question.order, &other(question), watch)?;
     let mut step = DerivationStep::new("second-gauge", "A second gauge")
         .say("That the choice is free is best seen by making another one. With", []);
     for n in question.powers() {

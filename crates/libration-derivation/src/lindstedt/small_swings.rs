@@ -25,14 +25,14 @@ pub(super) fn equation_of_motion(question: &LindstedtQuestion) -> Result<Derivat
             [variable, number(0)],
         );
     } else {
-        let place = question.equilibrium.clone();
+        let equilibrium = question.equilibrium.clone();
         step = step
             .say(
                 "It can stay at rest at {} = {}, and is driven back from both sides. From here on the displacement \
                  is counted from there:",
-                [variable.clone(), place.clone()],
+                [variable.clone(), equilibrium.clone()],
             )
-            .show(CheckedEquation::definition(Statement::defined(question.u(), variable - place)));
+            .show(CheckedEquation::definition(Statement::defined(question.u(), variable - equilibrium)));
     }
     let omega = omega0;
     let square = Statement::defined(omega().squared(), question.omega0_squared.clone());

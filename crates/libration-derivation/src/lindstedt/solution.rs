@@ -85,7 +85,10 @@ impl Solution {
 
     /// The coefficients of cos kτ, by powers of ε.
     pub(super) fn harmonic(&self, k: usize) -> PolynomialSeries {
-        self.harmonics.iter().find(|(own, _)| *own == k).map_or_else(Vec::new, |(_, series)| series.clone())
+        self.harmonics
+            .iter()
+            .find(|(multiple, _)| *multiple == k)
+            .map_or_else(Vec::new, |(_, series)| series.clone())
     }
 
     /// The coefficient of εⁿ in a harmonic.

@@ -59,8 +59,8 @@ fn letters(question: &LindstedtQuestion, motion: &Motion) -> Letters {
         values.push((question.displacement.clone().prime(), slope));
     }
     if question.variable != question.displacement && !question.is_reduced() {
-        let place = question.equilibrium.clone() + question.u();
-        values.push((question.variable.clone(), place));
+        let position = question.equilibrium.clone() + question.u();
+        values.push((question.variable.clone(), position));
     }
     Letters { values, functions: vec![] }
 }
@@ -151,8 +151,8 @@ fn given<'a>(
     given.push(Given::Value(question.displacement.clone().prime(), sum(&sines, &|k| -k)));
     given.push(Given::Value(second_derivative(question), sum(&cosines, &|k| -k * k)));
     if question.variable != question.displacement && !question.is_reduced() {
-        let place = question.equilibrium.clone() + question.u();
-        given.push(Given::Value(question.variable.clone(), place));
+        let position = question.equilibrium.clone() + question.u();
+        given.push(Given::Value(question.variable.clone(), position));
     }
     given
 }

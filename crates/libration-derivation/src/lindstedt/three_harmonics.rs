@@ -83,8 +83,8 @@ fn left_in_cosines(
         .map(|(k, amplitude)| -(Rational::from(k * k) * ratio_squared.clone() * amplitude.clone()))
         .collect();
     let mut power = displacement.clone();
-    for (place, factor) in question.force.iter().take(DEGREE).enumerate() {
-        if place > 0 {
+    for (exponent, factor) in question.force.iter().take(DEGREE).enumerate() {
+        if exponent > 0 {
             power = product(&power, &displacement);
         }
         for (left, term) in left.iter_mut().zip(&power) {
@@ -101,8 +101,8 @@ fn product(a: &[Rational], b: &[Rational]) -> Vec<Rational> {
     for (j, left) in a.iter().enumerate().filter(|(_, it)| !it.is_zero()) {
         for (k, right) in b.iter().enumerate().filter(|(_, it)| !it.is_zero()) {
             let each = half.clone() * left.clone() * right.clone();
-            for place in [j.abs_diff(k), j + k] {
-                if let Some(sum) = sum.get_mut(place) {
+            for harmonic in [j.abs_diff(k), j + k] {
+                if let Some(sum) = sum.get_mut(harmonic) {
                     *sum = sum.clone() + each.clone();
                 }
             }

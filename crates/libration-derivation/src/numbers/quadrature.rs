@@ -29,7 +29,7 @@ pub(super) fn integral(
     let (mut sum, mut estimate) = (number(0), number(0));
     for (level, kept) in NODES.iter().enumerate() {
         for node in kept.get_or_init(|| nodes(level)) {
-            let x = from.clone() + width.clone() * node.place.clone();
+            let x = from.clone() + width.clone() * node.point.clone();
             sum = sum + integrand(x)? * node.weight.clone();
         }
         let refined = sum.clone() * step(level) * width.clone();
@@ -64,7 +64,7 @@ fn nodes(level: usize) -> Vec<Node> {
 /// A point in the unit interval and its weight.
 #[derive(Debug)]
 struct Node {
-    place: BigFloat,
+    point: BigFloat,
     weight: BigFloat,
 }
 
@@ -75,9 +75,9 @@ impl Node {
         let pi = BigFloat::pi(PRECISION);
         let slope = pi.clone() * (up.clone() + down.clone()).halved();
         let decay = (-(pi * (up - down).halved())).exp();
-        let place = one.clone() / (one.clone() + decay.clone());
-        let weight = slope * place.clone() * place.clone() * decay;
-        Self { place, weight }
+        let point = one.clone() / (one.clone() + decay.clone());
+        let weight = slope * point.clone() * point.clone() * decay;
+        Self { point, weight }
     }
 
     /// Returns `true` if the point is so close to 0 or 1 that an integrand may lose its
@@ -85,7 +85,7 @@ impl Node {
     fn is_at_the_end(&self) -> bool {
         let bits = isize::try_from(PRECISION).unwrap_or(isize::MAX);
         let near = |distance: BigFloat| distance.exponent().is_none_or(|exponent| exponent < SPARED - bits);
-        near(self.place.clone()) || near(number(1) - self.place.clone())
+        near(self.point.clone()) || near(number(1) - self.point.clone())
     }
 }
 

@@ -13,7 +13,7 @@ pub(super) const ROUNDING: f64 = 1e-13;
 /// The value of the formula for these values of its symbols; `None` if it is not a number.
 pub(super) fn decimal(formula: &Expression, values: &[(&str, f64)]) -> Option<f64> {
     let number =
-        value(&Doubles, formula, &|name| values.iter().find(|(known, _)| *known == name).map(|(_, v)| *v));
+        value(&Doubles, formula, &|name| values.iter().find(|(symbol, _)| *symbol == name).map(|(_, v)| *v));
     number.filter(|number| !number.is_nan())
 }
 
@@ -29,7 +29,7 @@ pub(super) fn series_in(
         if name == variable {
             return ring.variable();
         }
-        let (_, number) = values.iter().find(|(known, _)| *known == name)?;
+        let (_, number) = values.iter().find(|(symbol, _)| *symbol == name)?;
         ring.rational(&Rational::from(*number))
     })
 }
@@ -37,7 +37,7 @@ pub(super) fn series_in(
 /// The formula as a polynomial in its symbols, some of which are replaced.
 pub(super) fn polynomial(formula: &Expression, replaced: &[(&str, Polynomial)]) -> Option<Polynomial> {
     value(&Polynomials, formula, &|name| {
-        let by = replaced.iter().find(|(known, _)| *known == name).map(|(_, by)| by.clone());
+        let by = replaced.iter().find(|(symbol, _)| *symbol == name).map(|(_, by)| by.clone());
         Some(by.unwrap_or_else(|| Polynomial::variable(name)))
     })
 }
@@ -91,11 +91,11 @@ pub(super) const POINTS: u32 = 40;
 /// A point of an additive recurrence with the roots of primes, which fills the box uniformly.
 fn point<'a>(index: u32, ranges: &[(&'a str, f64, f64)]) -> Vec<(&'a str, f64)> {
     const PRIMES: [f64; 8] = [2.0, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0, 19.0];
-    let place = |(prime, (name, low, high)): (&f64, &(&'a str, f64, f64))| {
+    let coordinate = |(prime, (name, low, high)): (&f64, &(&'a str, f64, f64))| {
         let turns = f64::from(index) * prime.sqrt();
         (*name, low + (high - low) * (turns - turns.floor()))
     };
-    PRIMES.iter().zip(ranges).map(place).collect()
+    PRIMES.iter().zip(ranges).map(coordinate).collect()
 }
 
 /// The finding for an identity, tested at points.

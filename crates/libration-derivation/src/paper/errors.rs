@@ -21,13 +21,13 @@ static TABLE: LazyLock<ErrorTable> = LazyLock::new(|| {
     ErrorTable::new(&formulas, &Quiet).expect("nothing cancels it")
 });
 
-fn place(key: &str) -> Option<usize> {
+fn index_of(key: &str) -> Option<usize> {
     TABLE.formulas().position(|formula| formula.key() == key)
 }
 
 /// The amplitudes at which the better of two formulas changes.
 pub(super) fn crossings(a: &str, b: &str) -> Option<Vec<Crossover>> {
-    Some(TABLE.crossovers(place(a)?, place(b)?))
+    Some(TABLE.crossovers(index_of(a)?, index_of(b)?))
 }
 
 /// The intervals in radians on which |error of a| < |error of b|.
@@ -46,8 +46,8 @@ pub(super) fn better_on(a: &str, b: &str) -> Option<Vec<(f64, f64)>> {
 
 /// The amplitudes at which |error of a| is this many times |error of b|.
 pub(super) fn ratio_reached(a: &str, b: &str, factor: f64) -> Option<Vec<f64>> {
-    let places = TABLE.amplitudes_where_ratio_of_errors(place(a)?, place(b)?, factor);
-    Some(places.iter().map(Angle::radians).collect())
+    let amplitudes = TABLE.amplitudes_where_ratio_of_errors(index_of(a)?, index_of(b)?, factor);
+    Some(amplitudes.iter().map(Angle::radians).collect())
 }
 
 /// |error of a|/|error of b| at an amplitude in degrees.
@@ -64,24 +64,24 @@ pub(super) fn ratio_of_leading_errors(a: &str, b: &str) -> Option<Rational> {
 
 /// The fractional error at an amplitude in radians.
 pub(super) fn error(key: &str, radians: f64) -> Option<f64> {
-    let formula = TABLE.formulas().nth(place(key)?)?;
+    let formula = TABLE.formulas().nth(index_of(key)?)?;
     Some(formula.fractional_error_at(radians))
 }
 
 /// The fractional error at an amplitude in degrees.
 pub(super) fn error_at(key: &str, degrees: f64) -> Option<f64> {
-    let formula = TABLE.formulas().nth(place(key)?)?;
+    let formula = TABLE.formulas().nth(index_of(key)?)?;
     Some(formula.fractional_error(&Angle::from_degrees(degrees).ok()?))
 }
 
 /// The intervals in radians on which the error keeps a tolerance.
 pub(super) fn holds_on(key: &str, tolerance: f64) -> Option<Vec<(f64, f64)>> {
-    Some(TABLE.holds_on(place(key)?, tolerance))
+    Some(TABLE.holds_on(index_of(key)?, tolerance))
 }
 
 /// The amplitudes at which a formula is exact.
 pub(super) fn exact_at(key: &str) -> Option<Vec<f64>> {
-    Some(TABLE.amplitudes_where_exact(place(key)?).iter().map(Angle::radians).collect())
+    Some(TABLE.amplitudes_where_exact(index_of(key)?).iter().map(Angle::radians).collect())
 }
 
 /// The best formulas of a set, from the smallest amplitude on, each with the amplitude up to which it is the best.

@@ -61,15 +61,15 @@ impl Expansion {
     /// Solves the equation at an order: the fundamental gives (Ω/ω0)² one order below, every other harmonic its own coefficient.
     fn solve(&mut self, order: usize, fundamental: &Polynomial, first: &Polynomial) -> Option<()> {
         self.motion.push(Polynomial::zero());
-        let known = self.residual(order);
-        let on_fundamental = projection(&known, 1);
+        let residual = self.residual(order);
+        let on_fundamental = projection(&residual, 1);
         if order > 1 {
             self.square.push(on_fundamental.divide_exactly(first)?);
         }
         let mut motion = fundamental.clone() * cosine(1);
         for k in 2..=u32::try_from(order).ok()? {
             let inertia = Rational::new(-1, 1 - i64::from(k) * i64::from(k))?;
-            motion = motion + cosine(k) * projection(&known, k).scaled(&inertia);
+            motion = motion + cosine(k) * projection(&residual, k).scaled(&inertia);
         }
         *self.motion.get_mut(order)? = motion;
         Some(())
@@ -105,7 +105,7 @@ impl Expansion {
         if letter == "d" {
             return self.frequency()?.get(order).cloned();
         }
-        let (_, harmonic) = LETTERS.iter().find(|(known, _)| *known == letter)?;
+        let (_, harmonic) = LETTERS.iter().find(|(symbol, _)| *symbol == letter)?;
         Some(projection(self.motion.get(order)?, *harmonic))
     }
 

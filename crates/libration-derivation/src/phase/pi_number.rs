@@ -67,8 +67,8 @@ impl PiNumber {
     /// The number times a power of π.
     pub fn times_power_of_pi(&self, power: i32) -> Self {
         let mut product = Self::default();
-        for (own, coefficient) in &self.terms {
-            product.terms.insert(own + power, coefficient.clone());
+        for (exponent, coefficient) in &self.terms {
+            product.terms.insert(exponent + power, coefficient.clone());
         }
         product
     }

@@ -59,17 +59,17 @@ pub fn to_html(derivation: &Derivation) -> String {
     );
     write_blocks(&mut page, "", BlockPosition::INTRODUCTION, &derivation.introduction, block);
     let mut answers = "<h1 class=\"answers\" id=\"answers\">Answers</h1>\n";
-    for (place, step) in BlockPosition::steps(derivation) {
-        let BlockPosition { id, step: number, is_answer } = place;
+    for (position, step) in BlockPosition::steps(derivation) {
+        let BlockPosition { id, step: number, is_answer } = position;
         if is_answer {
             page.push_str(std::mem::take(&mut answers));
         }
-        let own = if is_answer { format!("answers-{id}") } else { id.to_owned() };
+        let own_id = if is_answer { format!("answers-{id}") } else { id.to_owned() };
         let heading = html(&step.heading);
         page.push_str(&format!(
-            "<section id=\"{own}\">\n<h2><a href=\"#{id}\">{number}.</a> {heading}</h2>\n"
+            "<section id=\"{own_id}\">\n<h2><a href=\"#{id}\">{number}.</a> {heading}</h2>\n"
         ));
-        write_blocks(&mut page, "", place, &step.blocks, block);
+        write_blocks(&mut page, "", position, &step.blocks, block);
         page.push_str("</section>\n");
     }
     page.push_str("</body>\n</html>\n");
@@ -87,18 +87,18 @@ pub fn judgement_to_html(judgement: &Judgement) -> String {
     format!("<p class=\"{class}\">{}</p>\n", prose(&judgement.to_prose()))
 }
 
-fn block(place: BlockPosition<'_>, block: &Block) -> String {
+fn block(position: BlockPosition<'_>, block: &Block) -> String {
     match block {
         Block::Paragraph(it) => format!("<p>{}</p>", prose(it)),
         Block::Remark(it) => format!("<p class=\"remark\">{}</p>", prose(it)),
-        Block::Equation { number, equation: it } => equation(place, *number, it),
+        Block::Equation { number, equation: it } => equation(position, *number, it),
         Block::Exercise { number, statement: it, is_comparable } => {
-            formula(place, *number, it, *is_comparable)
+            formula(position, *number, it, *is_comparable)
         }
         Block::Table(it) => table(it),
         Block::Details { summary, blocks } => {
             let mut inside = String::new();
-            write_blocks(&mut inside, "", place, blocks, self::block);
+            write_blocks(&mut inside, "", position, blocks, self::block);
             format!("<details>\n<summary>{}</summary>\n{inside}</details>", html(summary))
         }
     }
@@ -108,25 +108,25 @@ fn prose(prose: &Prose) -> String {
     sentence(prose, html, |it| format!("<math>{}</math>", mathml(&Style::Inline.formula(it))))
 }
 
-fn equation(place: BlockPosition<'_>, number: usize, equation: &CheckedEquation) -> String {
+fn equation(position: BlockPosition<'_>, number: usize, equation: &CheckedEquation) -> String {
     let class = if equation.check().is_computed() { "check computed" } else { "check" };
     let check = prose(&equation.check().to_prose());
-    format!("{}\n<p class=\"{class}\">{check}</p>", formula(place, number, equation.statement(), false))
+    format!("{}\n<p class=\"{class}\">{check}</p>", formula(position, number, equation.statement(), false))
 }
 
 /// A displayed formula with its number, which is a link to the formula; its class says whether answers to it can be compared.
-fn formula(place: BlockPosition<'_>, number: usize, statement: &Statement, is_comparable: bool) -> String {
+fn formula(position: BlockPosition<'_>, number: usize, statement: &Statement, is_comparable: bool) -> String {
     let Lines { left, right } = lines::statement(statement);
     let inside = match right.as_slice() {
         [] => mathml(&left),
         [line] => format!("<mrow>{}{}</mrow>", mathml(&left), mathml(line)),
         lines => aligned(&left, lines),
     };
-    let (id, numeral) = (format!("{}.{number}", place.id), place.number(number));
-    let own = if place.is_answer { String::new() } else { format!(" id=\"{id}\"") };
+    let (id, numeral) = (format!("{}.{number}", position.id), position.number(number));
+    let attribute = if position.is_answer { String::new() } else { format!(" id=\"{id}\"") };
     let class = if is_comparable { "formula to-answer" } else { "formula" };
     format!(
-        "<div class=\"{class}\"{own}><math display=\"block\">{inside}</math><a class=\"number\" href=\"#{id}\">({numeral})</a></div>"
+        "<div class=\"{class}\"{attribute}><math display=\"block\">{inside}</math><a class=\"number\" href=\"#{id}\">({numeral})</a></div>"
     )
 }
 

@@ -29,41 +29,45 @@ pub fn to_latex(derivation: &Derivation) -> String {
     text.push_str("\\begin{document}\n\\maketitle\n");
     write_blocks(&mut text, "\n", BlockPosition::INTRODUCTION, &derivation.introduction, block);
     let mut answers = "\n\\clearpage\n\\part*{Answers}\n";
-    for (place, step) in BlockPosition::steps(derivation) {
-        if place.is_answer {
+    for (position, step) in BlockPosition::steps(derivation) {
+        if position.is_answer {
             text.push_str(std::mem::take(&mut answers));
-            text.push_str(&format!("\n\\section*{{{}\\quad {}}}\n", place.step, latex_text(&step.heading)));
+            text.push_str(&format!(
+                "\n\\section*{{{}\\quad {}}}\n",
+                position.step,
+                latex_text(&step.heading)
+            ));
         } else {
             text.push_str(&format!("\n\\section{{{}}}\n", latex_text(&step.heading)));
         }
-        write_blocks(&mut text, "\n", place, &step.blocks, block);
+        write_blocks(&mut text, "\n", position, &step.blocks, block);
     }
     text.push_str("\n\\end{document}\n");
     text
 }
 
-fn block(place: BlockPosition<'_>, block: &Block) -> String {
+fn block(position: BlockPosition<'_>, block: &Block) -> String {
     match block {
         Block::Paragraph(it) => prose(it),
         Block::Remark(it) => format!("\\begin{{remark}}\n{}\n\\end{{remark}}", prose(it)),
         Block::Equation { number, equation } => format!(
             "{}\n\\checked{{{}}}",
-            formula(place, *number, equation.statement()),
+            formula(position, *number, equation.statement()),
             prose(&equation.check().to_prose())
         ),
-        Block::Exercise { number, statement, .. } => formula(place, *number, statement),
+        Block::Exercise { number, statement, .. } => formula(position, *number, statement),
         Block::Table(it) => table(it),
         Block::Details { summary, blocks } => {
             let mut inside = format!("\\emph{{{}.}}\n", latex_text(summary));
-            write_blocks(&mut inside, "\n", place, blocks, self::block);
+            write_blocks(&mut inside, "\n", position, blocks, self::block);
             inside
         }
     }
 }
 
 /// A displayed formula with its number.
-fn formula(place: BlockPosition<'_>, number: usize, statement: &Statement) -> String {
-    format!("\\[\n{}\n\\tag{{{}}}\n\\]", statement_latex(statement), place.number(number))
+fn formula(position: BlockPosition<'_>, number: usize, statement: &Statement) -> String {
+    format!("\\[\n{}\n\\tag{{{}}}\n\\]", statement_latex(statement), position.number(number))
 }
 
 fn prose(prose: &Prose) -> String {

@@ -15,13 +15,13 @@ pub fn to_markdown(derivation: &Derivation) -> String {
     let mut text = format!("# {}\n", markdown(&derivation.title));
     write_blocks(&mut text, "\n", BlockPosition::INTRODUCTION, &derivation.introduction, block);
     let mut answers = "\n---\n\n## Answers\n";
-    for (place, step) in BlockPosition::steps(derivation) {
-        let level = if place.is_answer { "###" } else { "##" };
-        if place.is_answer {
+    for (position, step) in BlockPosition::steps(derivation) {
+        let level = if position.is_answer { "###" } else { "##" };
+        if position.is_answer {
             text.push_str(std::mem::take(&mut answers));
         }
-        text.push_str(&format!("\n{level} {}. {}\n", place.step, markdown(&step.heading)));
-        write_blocks(&mut text, "\n", place, &step.blocks, block);
+        text.push_str(&format!("\n{level} {}. {}\n", position.step, markdown(&step.heading)));
+        write_blocks(&mut text, "\n", position, &step.blocks, block);
     }
     text
 }
@@ -32,30 +32,30 @@ pub fn judgement_to_markdown(judgement: &Judgement) -> String {
     format!("{}\n", prose(&judgement.to_prose()))
 }
 
-pub(super) fn block(place: BlockPosition<'_>, block: &Block) -> String {
+pub(super) fn block(position: BlockPosition<'_>, block: &Block) -> String {
     match block {
         Block::Paragraph(it) => prose(it),
         Block::Remark(it) => format!("> {}", prose(it)),
-        Block::Equation { number, equation: it } => equation(place, *number, it),
-        Block::Exercise { number, statement, .. } => formula(place, *number, statement),
+        Block::Equation { number, equation: it } => equation(position, *number, it),
+        Block::Exercise { number, statement, .. } => formula(position, *number, statement),
         Block::Table(it) => table(it),
         Block::Details { summary, blocks } => {
             let mut inside = format!("<details>\n<summary>{}</summary>\n", markdown(summary));
-            write_blocks(&mut inside, "\n", place, blocks, self::block);
+            write_blocks(&mut inside, "\n", position, blocks, self::block);
             format!("{inside}\n</details>")
         }
     }
 }
 
-fn equation(place: BlockPosition<'_>, number: usize, equation: &CheckedEquation) -> String {
+fn equation(position: BlockPosition<'_>, number: usize, equation: &CheckedEquation) -> String {
     let check = equation.check();
     let tick = if check.is_computed() { "✓ " } else { "" };
-    format!("{}\n{tick}{}", formula(place, number, equation.statement()), prose(&check.to_prose()))
+    format!("{}\n{tick}{}", formula(position, number, equation.statement()), prose(&check.to_prose()))
 }
 
 /// A displayed formula with its number.
-fn formula(place: BlockPosition<'_>, number: usize, statement: &Statement) -> String {
-    format!("```math\n{}\n\\tag{{{}}}\n```", statement_latex(statement), place.number(number))
+fn formula(position: BlockPosition<'_>, number: usize, statement: &Statement) -> String {
+    format!("```math\n{}\n\\tag{{{}}}\n```", statement_latex(statement), position.number(number))
 }
 
 /// The description of the check of a formula.

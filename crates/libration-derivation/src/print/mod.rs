@@ -30,14 +30,14 @@ impl<'a> BlockPosition<'a> {
 
     /// The positions of the steps.
     fn steps(derivation: &'a Derivation) -> impl Iterator<Item = (Self, &'a DerivationStep)> {
-        let place = |is_answer| {
+        let position = |is_answer| {
             move |(n, step): (usize, &'a DerivationStep)| {
                 (Self { id: &step.id, step: n + 1, is_answer }, step)
             }
         };
         let (steps, answers) = (derivation.steps.iter(), derivation.answers.iter());
-        let answers = answers.enumerate().map(place(true)).filter(|(_, step)| !step.blocks.is_empty());
-        steps.enumerate().map(place(false)).chain(answers)
+        let answers = answers.enumerate().map(position(true)).filter(|(_, step)| !step.blocks.is_empty());
+        steps.enumerate().map(position(false)).chain(answers)
     }
 
     /// The number of a formula.
@@ -59,13 +59,13 @@ fn sentence(prose: &Prose, text: fn(&str) -> String, formula: fn(&Formula) -> St
 fn write_blocks(
     page: &mut String,
     separator: &str,
-    place: BlockPosition<'_>,
+    position: BlockPosition<'_>,
     blocks: &[Block],
     written: fn(BlockPosition<'_>, &Block) -> String,
 ) {
     for block in blocks {
         page.push_str(separator);
-        page.push_str(&written(place, block));
+        page.push_str(&written(position, block));
         page.push('\n');
     }
 }

@@ -26,14 +26,14 @@ pub fn to_notebook(derivation: &Derivation) -> String {
         notebook.begin_exercises(derivation);
     }
     let mut answers = "## Answers";
-    for (place, step) in BlockPosition::steps(derivation) {
-        if place.is_answer && !answers.is_empty() {
+    for (position, step) in BlockPosition::steps(derivation) {
+        if position.is_answer && !answers.is_empty() {
             notebook.say(std::mem::take(&mut answers));
             if notebook.questions.comparison().is_some() {
                 notebook.say("The cells below give `sin`, `cos` and `pi` other meanings: run the first cell again before you answer again.");
             }
         }
-        notebook.step(place, step);
+        notebook.step(position, step);
     }
     notebook.written()
 }
@@ -45,7 +45,7 @@ struct Notebook<'a> {
     text: String,
     /// The condition whose ansatz is defined in the cells, and the coefficients that are known for it.
     ansatz: Option<&'a OpenCondition>,
-    known: Vec<&'a Name>,
+    determined: Vec<&'a Name>,
     /// The equation whose slow flow is defined in the cells.
     flow: Option<&'a FlowTerms>,
     /// `true` if the quarter swing is defined in the cells.
@@ -62,8 +62,8 @@ struct Notebook<'a> {
 impl<'a> Notebook<'a> {
     /// The cell that compares answers, with what it says and the symbols that it knows.
     fn begin_exercises(&mut self, derivation: &Derivation) {
-        for (place, step) in BlockPosition::steps(derivation).filter(|(place, _)| place.is_answer) {
-            self.questions.add(place.step, &step.blocks);
+        for (position, step) in BlockPosition::steps(derivation).filter(|(position, _)| position.is_answer) {
+            self.questions.add(position.step, &step.blocks);
         }
         let Some(code) = self.questions.comparison() else { return };
         let symbols = self.questions.symbols();
@@ -75,42 +75,42 @@ impl<'a> Notebook<'a> {
         self.compute_folded("comparison", &code);
     }
 
-    fn step(&mut self, place: BlockPosition<'a>, step: &'a DerivationStep) {
+    fn step(&mut self, position: BlockPosition<'a>, step: &'a DerivationStep) {
         self.end_text();
-        let level = if place.is_answer { "###" } else { "##" };
-        self.say(&format!("{level} {}. {}", place.step, markdown_text::heading(step)));
-        self.blocks(place, &step.blocks);
+        let level = if position.is_answer { "###" } else { "##" };
+        self.say(&format!("{level} {}. {}", position.step, markdown_text::heading(step)));
+        self.blocks(position, &step.blocks);
     }
 
-    fn blocks(&mut self, place: BlockPosition<'a>, blocks: &'a [Block]) {
+    fn blocks(&mut self, position: BlockPosition<'a>, blocks: &'a [Block]) {
         for block in blocks {
             match block {
-                Block::Equation { number, equation } => self.equation(place, *number, equation),
+                Block::Equation { number, equation } => self.equation(position, *number, equation),
                 Block::Exercise { number, statement, .. } => {
-                    self.say(&formula(place, *number, statement));
-                    if let Some(code) = self.questions.answer(&place.number(*number)) {
-                        self.compute(&format!("exercise-{}-{number}", place.id), &code);
+                    self.say(&formula(position, *number, statement));
+                    if let Some(code) = self.questions.answer(&position.number(*number)) {
+                        self.compute(&format!("exercise-{}-{number}", position.id), &code);
                     }
                 }
                 Block::Details { summary, blocks } => {
                     self.say(&format!("*{summary}:*"));
-                    self.blocks(place, blocks);
+                    self.blocks(position, blocks);
                 }
-                other => self.say(&markdown_text::block(place, other)),
+                other => self.say(&markdown_text::block(position, other)),
             }
         }
     }
 
-    fn equation(&mut self, place: BlockPosition<'a>, number: usize, equation: &'a CheckedEquation) {
-        self.say(&formula(place, number, equation.statement()));
+    fn equation(&mut self, position: BlockPosition<'a>, number: usize, equation: &'a CheckedEquation) {
+        self.say(&formula(position, number, equation.statement()));
         let Some(code) = python::check(equation) else {
             return self.say(&markdown_text::check(equation));
         };
-        let mut lines = vec![format!("# ({})", place.number(number))];
+        let mut lines = vec![format!("# ({})", position.number(number))];
         if let Check::Substituted { condition: Some(condition), .. } = equation.check() {
             self.begin(condition);
             lines.extend(self.lower(condition));
-            self.known.extend(&condition.fixes);
+            self.determined.extend(&condition.fixes);
         }
         if let Check::Truncated(formula) = equation.check() {
             self.begin_few(formula);
@@ -125,8 +125,8 @@ impl<'a> Notebook<'a> {
             self.begin_flow(&formula.flow, python::limit_cycle);
         }
         lines.push(code);
-        let kind = if place.is_answer { "answer" } else { "check" };
-        let name = format!("{kind}-{}-{number}", place.id);
+        let kind = if position.is_answer { "answer" } else { "check" };
+        let name = format!("{kind}-{}-{number}", position.id);
         self.check(&name, &lines.join("\n"));
     }
 
@@ -134,15 +134,15 @@ impl<'a> Notebook<'a> {
     fn begin(&mut self, condition: &'a OpenCondition) {
         let is_same = self.ansatz.is_some_and(|ansatz| ansatz.harmonics == condition.harmonics);
         if let (false, Some(code)) = (is_same, python::ansatz(condition)) {
-            (self.ansatz, self.known) = (Some(condition), vec![]);
+            (self.ansatz, self.determined) = (Some(condition), vec![]);
             self.check(&format!("ansatz-{}", self.cells.len()), &code);
         }
     }
 
     fn begin_few(&mut self, formula: &'a TruncatedFormula) {
-        let own = (formula.force.as_slice(), formula.harmonics.as_slice());
-        if let (false, Some(code)) = (self.few == Some(own), python::few_harmonics(formula)) {
-            self.few = Some(own);
+        let terms = (formula.force.as_slice(), formula.harmonics.as_slice());
+        if let (false, Some(code)) = (self.few == Some(terms), python::few_harmonics(formula)) {
+            self.few = Some(terms);
             self.check(&format!("few-{}", self.cells.len()), &code);
         }
     }
@@ -165,9 +165,9 @@ impl<'a> Notebook<'a> {
     /// The coefficients that a condition takes from lower powers and that have no cell yet.
     fn lower(&mut self, condition: &'a OpenCondition) -> Vec<String> {
         let missing: Vec<_> =
-            condition.lower.iter().filter(|(name, _)| !self.known.contains(&name)).collect();
-        self.known.extend(missing.iter().map(|(name, _)| name));
-        missing.into_iter().filter_map(|(name, value)| python::known(name, value)).collect()
+            condition.lower.iter().filter(|(name, _)| !self.determined.contains(&name)).collect();
+        self.determined.extend(missing.iter().map(|(name, _)| name));
+        missing.into_iter().filter_map(|(name, value)| python::coefficient(name, value)).collect()
     }
 
     /// Adds a paragraph of text.
@@ -211,8 +211,8 @@ impl<'a> Notebook<'a> {
 
     fn written(mut self) -> String {
         self.end_text();
-        if let Some(place) = self.prelude {
-            self.cells[place] = code_cell("prelude", FOLDED, &python::prelude_for(&self.checks));
+        if let Some(index) = self.prelude {
+            self.cells[index] = code_cell("prelude", FOLDED, &python::prelude_for(&self.checks));
         }
         format!(
             "{{\n \"cells\": [\n  {}\n ],\n \"metadata\": {{\"kernelspec\": {{\"display_name\": \"Python 3\", \"language\": \"python\", \
@@ -233,8 +233,8 @@ fn code_cell(id: &str, metadata: &str, code: &str) -> String {
 }
 
 /// A displayed formula with its number, in notebook syntax.
-fn formula(place: BlockPosition<'_>, number: usize, statement: &Statement) -> String {
-    format!("$$\n{}\n\\tag{{{}}}\n$$", statement_latex(statement), place.number(number))
+fn formula(position: BlockPosition<'_>, number: usize, statement: &Statement) -> String {
+    format!("$$\n{}\n\\tag{{{}}}\n$$", statement_latex(statement), position.number(number))
 }
 
 /// Text as a JSON string.

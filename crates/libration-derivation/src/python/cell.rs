@@ -43,7 +43,7 @@ pub(crate) fn check(equation: &CheckedEquation) -> Option<String> {
             Some(block(given(letters)?.into_iter().chain([head, indented(body)])))
         }
         Check::Fraction => Some(format!("same_fraction({})", sides(statement)?.join(", "))),
-        Check::Digits { place: ComparedAt::Cases { index, first, last }, .. } => {
+        Check::Digits { compared_at: ComparedAt::Cases { index, first, last }, .. } => {
             let head = format!("for {} in map(Q, range({first}, {})):", identifier(index)?, last + 1);
             let lines = compared(statement)?.into_iter().map(indented);
             Some(block(given(letters)?.into_iter().chain([head]).chain(lines)))
@@ -157,8 +157,8 @@ pub(crate) fn limit_cycle(flow: &FlowTerms) -> Option<String> {
 fn cycle(statement: &Statement, n: usize, claim: &CycleClaim) -> Option<String> {
     let right = || statement.rest.last().and_then(|(_, side)| expression(side));
     match claim {
-        CycleClaim::Forcing { open, known } => {
-            Some(format!("cycle.forces({n}, lambda τ, {}: {})", identifier(open)?, expression(known)?))
+        CycleClaim::Forcing { open, value: forcing } => {
+            Some(format!("cycle.forces({n}, lambda τ, {}: {})", identifier(open)?, expression(forcing)?))
         }
         CycleClaim::Sine { open } => {
             Some(format!("cycle.asks({n}, lambda {}: {})", identifier(open)?, expression(&statement.first)?))
@@ -180,13 +180,13 @@ fn cycle(statement: &Statement, n: usize, claim: &CycleClaim) -> Option<String> 
 fn averaged(statement: &Statement, claim: &AveragedClaim) -> Option<String> {
     let right = || statement.rest.last().and_then(|(_, side)| expression(side));
     let at = |power: &usize, parameter: &usize| format!("{power}, {parameter}");
-    let of_phase = |method: &str, place: String, side: String| {
-        Some(format!("flow.{method}({place}, lambda pi, ψ: {side})"))
+    let of_phase = |method: &str, powers: String, side: String| {
+        Some(format!("flow.{method}({powers}, lambda pi, ψ: {side})"))
     };
     match claim {
         AveragedClaim::ChainRule => None,
-        AveragedClaim::Forcing { power, parameter, known } => {
-            of_phase("forces", at(power, parameter), expression(known)?)
+        AveragedClaim::Forcing { power, parameter, value: forcing } => {
+            of_phase("forces", at(power, parameter), expression(forcing)?)
         }
         AveragedClaim::Growth { power, parameter } => of_phase("grows", at(power, parameter), right()?),
         AveragedClaim::Frequency { power, parameter } => of_phase("turns", at(power, parameter), right()?),
@@ -225,8 +225,8 @@ pub(crate) fn quarter_swing(formula: &QuarterFormula) -> Option<String> {
 fn quarter(statement: &Statement, n: usize, claim: &QuarterClaim) -> Option<String> {
     let right = expression(&statement.rest.last()?.1)?;
     Some(match claim {
-        QuarterClaim::Forcing { known } => {
-            format!("quarter.forces({n}, lambda pi, τ: {})", expression(known)?)
+        QuarterClaim::Forcing { value: forcing } => {
+            format!("quarter.forces({n}, lambda pi, τ: {})", expression(forcing)?)
         }
         QuarterClaim::Begun => format!("quarter.begins({n}, lambda pi, τ: {right})"),
         QuarterClaim::Correction => format!("quarter.corrects({n}, lambda pi: {right})"),
@@ -238,23 +238,23 @@ fn quarter(statement: &Statement, n: usize, claim: &QuarterClaim) -> Option<Stri
 }
 
 /// A coefficient determined at lower orders.
-pub(crate) fn known(name: &Name, value: &Formula) -> Option<String> {
+pub(crate) fn coefficient(name: &Name, value: &Formula) -> Option<String> {
     Some(format!("ansatz.known[\"{}\"] = polynomial({})", identifier(name)?, expression(value)?))
 }
 
 fn substituted(statement: &Statement, condition: &OpenCondition) -> Option<String> {
-    let place = format!("{}, {}", condition.order, condition.harmonic);
+    let indices = format!("{}, {}", condition.order, condition.harmonic);
     let (_, right) = statement.rest.last()?;
     match &statement.first {
         Formula::Name(name) => {
-            Some(format!("ansatz.fixes({place}, \"{}\", {})", identifier(name)?, expression(right)?))
+            Some(format!("ansatz.fixes({indices}, \"{}\", {})", identifier(name)?, expression(right)?))
         }
         left => {
             let new = condition
                 .fixes
                 .as_ref()
                 .map_or(Some("None".to_owned()), |name| Some(format!("\"{}\"", identifier(name)?)))?;
-            Some(format!("ansatz.gives({place}, {}, {new})", expression(left)?))
+            Some(format!("ansatz.gives({indices}, {}, {new})", expression(left)?))
         }
     }
 }
@@ -313,9 +313,9 @@ fn compared(statement: &Statement) -> Option<Vec<String>> {
 
 fn rounded(statement: &Statement) -> Option<String> {
     let Some((_, Formula::Decimal(decimal))) = statement.rest.last() else { return None };
-    let (printed, place) = (decimal.value()?.to_f64(), decimal.last_place()?.to_f64());
+    let (printed, last_digit) = (decimal.value()?.to_f64(), decimal.last_place()?.to_f64());
     let unit = if decimal.unit == DecimalUnit::Degree { "*180/pi" } else { "" };
-    Some(format!("rounds_to(({}){unit}, {printed:?}, {place:?})", expression(&statement.first)?))
+    Some(format!("rounds_to(({}){unit}, {printed:?}, {last_digit:?})", expression(&statement.first)?))
 }
 
 fn block(lines: impl IntoIterator<Item = String>) -> String {

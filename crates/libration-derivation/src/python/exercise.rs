@@ -31,20 +31,20 @@ impl Questions {
         }
     }
 
-    fn add_equation(&mut self, place: String, equation: &CheckedEquation) {
+    fn add_equation(&mut self, label: String, equation: &CheckedEquation) {
         let Some(Question { is_zero, asked, result }) = Question::of(equation) else { return };
         let Some(text) = expression(result) else { return };
         let question = asked.and_then(expression).unwrap_or_default();
         let names = asked.into_iter().chain([result]).flat_map(Formula::free_names);
         self.names.extend(names.filter_map(|name| identifier(&name)));
         let is_zero = if is_zero { "True" } else { "False" };
-        let line = format!("    \"{place}\": ({is_zero}, \"{}\", \"{}\"),", digits(&question), digits(&text));
-        self.lines.push((place, line));
+        let line = format!("    \"{label}\": ({is_zero}, \"{}\", \"{}\"),", digits(&question), digits(&text));
+        self.lines.push((label, line));
     }
 
     /// Returns `true` if the answer with this number can be compared.
-    pub(crate) fn has(&self, place: &str) -> bool {
-        self.lines.iter().any(|(own, _)| own == place)
+    pub(crate) fn has(&self, label: &str) -> bool {
+        self.lines.iter().any(|(other, _)| other == label)
     }
 
     /// The cell that compares answers; `None` where none can be.
@@ -63,13 +63,13 @@ impl Questions {
     }
 
     /// The cell for an answer.
-    pub(crate) fn answer(&self, place: &str) -> Option<String> {
+    pub(crate) fn answer(&self, label: &str) -> Option<String> {
         let cell = || {
             format!(
-                "answer = None  # in place of the question mark in ({place})\ncompare(\"{place}\", answer)"
+                "answer = None  # in place of the question mark in ({label})\ncompare(\"{label}\", answer)"
             )
         };
-        self.has(place).then(cell)
+        self.has(label).then(cell)
     }
 
     /// The symbols, as a sentence names them.

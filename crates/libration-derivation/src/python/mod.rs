@@ -4,7 +4,7 @@ mod cell;
 mod exercise;
 mod parts;
 
-pub(super) use cell::{ansatz, check, few_harmonics, known, limit_cycle, quarter_swing, slow_flow};
+pub(super) use cell::{ansatz, check, coefficient, few_harmonics, limit_cycle, quarter_swing, slow_flow};
 pub(super) use exercise::Questions;
 pub(super) use parts::prelude_for;
 
@@ -64,8 +64,8 @@ fn written(formula: &Formula) -> Option<(String, Level)> {
             (terms?.join(" + ").replace(" + -", " - "), Level::Sum)
         }
         Formula::Product(factors) => {
-            let level = |place| if place == 0 { Level::Product } else { Level::Unary };
-            let factors = factors.iter().enumerate().map(|(place, it)| at_least(level(place), it));
+            let level = |index| if index == 0 { Level::Product } else { Level::Unary };
+            let factors = factors.iter().enumerate().map(|(index, it)| at_least(level(index), it));
             (factors.collect::<Option<Vec<String>>>()?.join("*"), Level::Product)
         }
         Formula::Fraction(over, under) => {
@@ -119,10 +119,10 @@ fn with_own_name(formula: &Formula) -> Option<String> {
 fn along_the_motion(formula: &Formula) -> Option<String> {
     let of = expression(formula)?;
     let angle = Name::new("θ");
-    let own = formula.free_names();
-    let moving = match own.iter().any(|name| name.letter == angle.letter) {
+    let names_of = formula.free_names();
+    let moving = match names_of.iter().any(|name| name.letter == angle.letter) {
         true => vec![angle.clone(), angle.prime()],
-        false => own,
+        false => names_of,
     };
     let mut names: Vec<String> = moving.iter().map(identifier).collect::<Option<_>>()?;
     names.sort();
@@ -137,6 +137,6 @@ fn signed(number: String) -> (String, Level) {
 }
 
 fn at_least(level: Level, formula: &Formula) -> Option<String> {
-    let (text, own) = written(formula)?;
-    Some(if own < level { format!("({text})") } else { text })
+    let (text, binding_level) = written(formula)?;
+    Some(if binding_level < level { format!("({text})") } else { text })
 }

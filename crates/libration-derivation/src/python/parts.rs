@@ -12,11 +12,11 @@ pub(crate) fn prelude_for(cells: &[String]) -> String {
     let parts: Vec<&str> = parts.collect();
     let mut used: Vec<bool> = vec![false; parts.len()];
     let mut wanted: BTreeSet<&str> = cells.iter().flat_map(|cell| words(cell)).collect();
-    while let Some(place) = (0..parts.len())
-        .find(|place| !used[*place] && names(parts[*place]).iter().any(|name| wanted.contains(name)))
+    while let Some(index) = (0..parts.len())
+        .find(|index| !used[*index] && names(parts[*index]).iter().any(|name| wanted.contains(name)))
     {
-        used[place] = true;
-        wanted.extend(words(parts[place]));
+        used[index] = true;
+        wanted.extend(words(parts[index]));
     }
     let used = parts.iter().zip(&used).filter(|(_, is_used)| **is_used).map(|(part, _)| *part);
     std::iter::once(head).chain(used).collect::<Vec<_>>().join("\n\n\n")

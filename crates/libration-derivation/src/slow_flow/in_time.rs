@@ -92,9 +92,10 @@ fn amplitude(
     };
     let linear = Statement::equal(derivative(raised(&a), "t"), rate(raised(&a)));
     let formula = if motion.power == 1 { solution.clone() } else { root(solution.clone(), motion.power) };
-    let [own, _] = subject.rates()?;
+    let [amplitude_rate, _] = subject.rates()?;
     let solved = trials.with(&a, formula.clone())?;
-    let solved = solved.compare_choices(Statement::equal(derivative(formula.clone(), "t"), own))?;
+    let solved =
+        solved.compare_choices(Statement::equal(derivative(formula.clone(), "t"), amplitude_rate))?;
     let begin = "at the beginning it is solved by";
     let mut step = match motion.power {
         1 => step.say(

@@ -66,8 +66,8 @@ fn smallness(subject: &SlowFlowSubject) -> Prose {
         ),
         (all, by_amplitude) => {
             let mut prose = Prose::text("Small parameters are ");
-            for (place, (name, order)) in all.iter().enumerate() {
-                let comma = if place > 0 { ", " } else { "" };
+            for (index, (name, order)) in all.iter().enumerate() {
+                let comma = if index > 0 { ", " } else { "" };
                 prose = prose.and(Prose::text(comma)).and(Prose::formula(small(name)));
                 if all.iter().any(|(_, other)| *other != 1) {
                     prose = prose.and(Prose::text(format!(" of order {order}")));
@@ -171,11 +171,12 @@ pub(super) fn derivatives(subject: &SlowFlowSubject) -> Result<DerivationStep, D
 /// Values of an amplitude and a phase with their derivatives, all independent.
 fn moving(names: [&Name; 2]) -> Result<Trials, DerivationError> {
     let mut trials = Trials::choices()?;
-    for (place, name) in names.into_iter().enumerate() {
+    for (index, name) in names.into_iter().enumerate() {
         for primes in 0..3 {
-            let own = (0..primes).fold(name.clone(), |name, _| name.prime());
-            let place = i64::try_from(3 * place + primes).unwrap_or(0);
-            trials.choose(&own, &|choice| tenths(7 + 4 * place + i64::try_from(choice).unwrap_or(0)))?;
+            let derivative = (0..primes).fold(name.clone(), |name, _| name.prime());
+            let offset = i64::try_from(3 * index + primes).unwrap_or(0);
+            trials
+                .choose(&derivative, &|choice| tenths(7 + 4 * offset + i64::try_from(choice).unwrap_or(0)))?;
         }
         trials.let_move(name);
         trials.let_move(&name.clone().prime());
@@ -188,8 +189,8 @@ fn slow([a, psi]: [Name; 2], frequency: Formula) -> impl Fn(usize) -> Vec<Given<
     let free: Vec<Name> = frequency.free_names();
     move |choice| {
         let power = |n: i64| Formula::from(Name::new("ε")).pow(n);
-        let value = |place: usize| Formula::Number(chosen(place, choice));
-        let of_symbol = |(place, name): (usize, &Name)| Given::Value(name.clone(), value(place + 9));
+        let value = |index: usize| Formula::Number(chosen(index, choice));
+        let of_symbol = |(index, name): (usize, &Name)| Given::Value(name.clone(), value(index + 9));
         let slow = [
             Given::Value(a.clone(), value(0)),
             Given::Value(psi.clone(), value(1)),

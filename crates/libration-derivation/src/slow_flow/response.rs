@@ -68,7 +68,7 @@ fn ridge(
     let [peak, rest] = [subject.formula(peak)?, subject.formula(rest)?];
     let name = subject.amplitude().word("max");
     subject.where_real(|mut trials| {
-        let found = trials.define(&name, peak.clone())?;
+        let defined = trials.define(&name, peak.clone())?;
         let trials = trials.with(&subject.amplitude(), peak.clone())?;
         let zero = trials.compare_choices(Statement::equal(rest.clone(), 0))?;
         let step = step
@@ -76,7 +76,7 @@ fn ridge(
             .say("At the largest amplitude both are the same, and the last part is zero,", [])
             .show(zero)
             .say("so that the largest amplitude is", [])
-            .show(found);
+            .show(defined);
         let Some(detuning) = &detuning else { return Ok(step) };
         let on_backbone = trials.compare_choices(Statement::equal(backbone.clone(), detuning.clone()))?;
         Ok(step.say("with the detuning of the backbone there,", []).show(on_backbone))

@@ -50,8 +50,8 @@ fn factored(subject: &SlowFlowSubject, factor: &Expression, wave: Formula) -> Fo
 
 pub(super) fn step(subject: &SlowFlowSubject) -> Result<DerivationStep, DerivationError> {
     let mut trials = Trials::choices()?;
-    for (place, name) in ["α", "β"].into_iter().enumerate() {
-        trials.choose(&Name::new(name), &|choice| Formula::Number(chosen(place, choice)))?;
+    for (index, name) in ["α", "β"].into_iter().enumerate() {
+        trials.choose(&Name::new(name), &|choice| Formula::Number(chosen(index, choice)))?;
     }
     let [a, b] = ["α", "β"].map(Name::new);
     let difference = || Formula::from(&a) - Formula::from(&b);
@@ -158,11 +158,11 @@ pub(super) fn averaged(subject: &SlowFlowSubject) -> Result<DerivationStep, Deri
         Some(turning) => turning + Formula::from(&turn),
         None => Formula::from(&turn),
     };
-    let factors = |place: usize| -> Result<Formula, DerivationError> {
+    let factors = |wave: usize| -> Result<Formula, DerivationError> {
         let mut all = vec![];
         for term in &subject.steps.terms {
-            if !subject.read(&term.resonant[place])?.vanishes() {
-                match subject.formula(&term.resonant[place])? {
+            if !subject.read(&term.resonant[wave])?.vanishes() {
+                match subject.formula(&term.resonant[wave])? {
                     Formula::Sum(terms) => all.extend(terms),
                     one => all.push(one),
                 }
@@ -218,9 +218,9 @@ fn means(subject: &SlowFlowSubject, step: DerivationStep) -> Result<DerivationSt
         None => turning,
     };
     let mut equations = vec![];
-    for (place, name, mean) in [(1, a.clone().prime(), growth), (0, phi.prime(), turning)] {
+    for (wave, name, mean) in [(1, a.clone().prime(), growth), (0, phi.prime(), turning)] {
         // An integral that is zero cannot be compared with its size.
-        let acts = |term: &SmallTerm| subject.read(&term.resonant[place]).is_ok_and(|it| !it.vanishes());
+        let acts = |term: &SmallTerm| subject.read(&term.resonant[wave]).is_ok_and(|it| !it.vanishes());
         if subject.steps.terms.iter().any(acts) {
             equations.push(trials.compare_choices(Statement::equal(name, mean))?);
         }

@@ -42,9 +42,9 @@ impl SlowFlowSubject {
             small.push((BOOKKEEPING.to_owned(), 1));
         }
         let subject = Self { equation: equation.clone(), steps, small, trials: Trials::choices()? };
-        for (meaning, own) in [("amplitude", "A"), ("phase", "phi"), ("detuning", "sigma")] {
-            if subject.meaning(meaning).is_some_and(|name| name != own) {
-                return Err(DerivationError::TakenLetter { letter: own.to_owned() });
+        for (meaning, letter) in [("amplitude", "A"), ("phase", "phi"), ("detuning", "sigma")] {
+            if subject.meaning(meaning).is_some_and(|name| name != letter) {
+                return Err(DerivationError::TakenLetter { letter: letter.to_owned() });
             }
         }
         let trials = subject.chosen(0)?;
@@ -81,7 +81,7 @@ impl SlowFlowSubject {
 
     /// The name with this meaning in the result.
     pub(super) fn meaning(&self, meaning: &str) -> Option<&str> {
-        self.flow().letters.iter().find(|(own, _)| *own == meaning).map(|(_, name)| name.as_str())
+        self.flow().letters.iter().find(|(other, _)| *other == meaning).map(|(_, name)| name.as_str())
     }
 
     pub(super) fn amplitude(&self) -> Name {
@@ -179,9 +179,9 @@ impl SlowFlowSubject {
     /// Values of all symbols: those of the equation, amplitude, phase and detuning are free, the others follow.
     fn chosen(&self, seed: usize) -> Result<Trials, DerivationError> {
         let mut trials = Trials::choices()?;
-        for (place, symbol) in self.free().into_iter().enumerate() {
-            let place = place * (seed + 1) % 19;
-            trials.choose(&self.name(&symbol), &|choice| Formula::Number(chosen(place, choice)))?;
+        for (index, symbol) in self.free().into_iter().enumerate() {
+            let number = index * (seed + 1) % 19;
+            trials.choose(&self.name(&symbol), &|choice| Formula::Number(chosen(number, choice)))?;
         }
         self.complete(trials)
     }
@@ -191,8 +191,8 @@ impl SlowFlowSubject {
         let drive = self.meaning("drive_frequency");
         let mut free: Vec<String> = self.equation.parameters().into_iter().collect();
         free.retain(|name| Some(name.as_str()) != drive);
-        let own = ["amplitude", "phase", "detuning"].map(|meaning| self.meaning(meaning));
-        free.extend(own.into_iter().flatten().map(str::to_owned));
+        let slow = ["amplitude", "phase", "detuning"].map(|meaning| self.meaning(meaning));
+        free.extend(slow.into_iter().flatten().map(str::to_owned));
         free.push("psi".to_owned());
         free
     }
@@ -233,14 +233,14 @@ impl SlowFlowSubject {
         &self,
         of: impl Fn(Trials) -> Result<T, DerivationError>,
     ) -> Result<T, DerivationError> {
-        let mut found = of(self.trials.clone());
+        let mut outcome = of(self.trials.clone());
         for seed in 1..SEEDS {
-            if !matches!(found, Err(DerivationError::Unchecked { .. })) {
+            if !matches!(outcome, Err(DerivationError::Unchecked { .. })) {
                 break;
             }
-            found = of(self.chosen(seed)?);
+            outcome = of(self.chosen(seed)?);
         }
-        found
+        outcome
     }
 
     /// Values for which amplitude and phase are steady: the detuning follows, and one symbol in which A′ is linear. `None` if there is none.
@@ -250,9 +250,9 @@ impl SlowFlowSubject {
         let [growth, turning] =
             [self.read(&self.flow().amplitude_rate)?, self.read(&self.flow().phase_rate)?];
         let root = |of: &Expression, symbol: &str| {
-            let own = Symbol::plain(symbol);
-            let is_linear = of.polynomial_degree(std::slice::from_ref(&own)) == Some(1);
-            let at = |value: i64| of.substitute(&own, &Expression::from(value)).simplified();
+            let unknown = Symbol::plain(symbol);
+            let is_linear = of.polynomial_degree(std::slice::from_ref(&unknown)) == Some(1);
+            let at = |value: i64| of.substitute(&unknown, &Expression::from(value)).simplified();
             let [zero, one] = [at(0), at(1)];
             (is_linear && !zero.vanishes())
                 .then(|| -self.written(&zero) / (self.written(&one) - self.written(&zero)))
@@ -296,12 +296,14 @@ impl SlowFlowSubject {
         };
         let given = |choice: usize| -> Vec<Given<'static>> {
             let mut all = vec![];
-            for (place, symbol) in self.free().into_iter().enumerate() {
-                let own = self.small.iter().find(|(name, _)| *name == symbol).map_or(0, |(_, order)| *order);
-                let raised = own + usize::from(own > 0 && self.steps.is_by_amplitude && is_in_drive(&symbol));
+            for (index, symbol) in self.free().into_iter().enumerate() {
+                let order =
+                    self.small.iter().find(|(name, _)| *name == symbol).map_or(0, |(_, order)| *order);
+                let raised =
+                    order + usize::from(order > 0 && self.steps.is_by_amplitude && is_in_drive(&symbol));
                 let name = self.name(&symbol);
                 if name != variable {
-                    all.push(Given::Value(name, Formula::Number(chosen(place, choice)) * power(raised)));
+                    all.push(Given::Value(name, Formula::Number(chosen(index, choice)) * power(raised)));
                 }
             }
             if let (Ok(Some(Formula::Name(drive))), Some(value)) =

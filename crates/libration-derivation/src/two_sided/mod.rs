@@ -36,7 +36,7 @@ pub(super) fn two_sided(
     let subject = TwoSidedSubject::new(oscillator, order)?;
     match subject.agrees_with_library(&watch.part()) {
         Err(_) if watch.is_stopped() => return Err(Interrupted.into()),
-        known => known?,
+        outcome => outcome?,
     }
     let title = "An oscillator with a force of two sides, power by power".to_owned();
     let mut steps = vec![
@@ -45,7 +45,7 @@ pub(super) fn two_sided(
         steps::ansatz(&subject),
         steps::solutions()?,
     ];
-    steps.extend(subject.quarter.orders.iter().map(|found| steps::one_power(&subject, found)));
+    steps.extend(subject.quarter.orders.iter().map(|solved| steps::one_power(&subject, solved)));
     steps.push(steps::result(&subject)?);
     if let Some(amplitude) = amplitude {
         steps.push(accuracy::step(&subject, amplitude, watch)?);

@@ -26,7 +26,7 @@ pub struct QuarterOrder {
     pub(super) of_acceleration: PhaseFunction,
     pub(super) of_powers: Vec<PhaseFunction>,
     /// Their sum.
-    pub(super) known: PhaseFunction,
+    pub(super) forcing: PhaseFunction,
     /// The solution for it that begins at rest in zero.
     pub(super) begun: PhaseFunction,
 }
@@ -66,9 +66,9 @@ impl Quarter {
             let part = powers.get(power).cloned().unwrap_or_default();
             of_powers.push(part.scaled(&minus.scaled(factor)));
         }
-        let known = of_powers.iter().fold(of_acceleration.clone(), |sum, part| sum.plus(part));
-        let begun = known.begun_at_rest();
-        QuarterOrder { power, of_acceleration, of_powers, known, begun }
+        let forcing = of_powers.iter().fold(of_acceleration.clone(), |sum, part| sum.plus(part));
+        let begun = forcing.begun_at_rest();
+        QuarterOrder { power, of_acceleration, of_powers, forcing, begun }
     }
 
     /// The coefficient of Aᵐ in Δ², from these coefficients of Δ.

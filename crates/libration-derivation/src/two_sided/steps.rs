@@ -119,9 +119,9 @@ pub(super) fn ansatz(subject: &TwoSidedSubject) -> DerivationStep {
     let corrections = (1..subject.order).map(|n| Formula::from(correction_name(n)) * power_of_amplitude(n));
     let frequency = Statement::equal(letter("Δ"), dots([number(1)].into_iter().chain(corrections).collect()));
     let part = subject.displacement.clone().index(letter("n"));
-    let at = |name: Name, place: Formula| Formula::Apply(name, vec![place]);
+    let at = |name: Name, argument: Formula| Formula::Apply(name, vec![argument]);
     let vanishing =
-        |name: Name, place: Formula| CheckedEquation::premise(Statement::equal(at(name, place), 0));
+        |name: Name, argument: Formula| CheckedEquation::premise(Statement::equal(at(name, argument), 0));
     DerivationStep::new("ansatz", "The ansatz")
         .say("The frequency {} is not known yet. So time is counted by the phase, in which a quarter of the period is always {},", [letter("Ω"), Formula::Pi / 2])
         .show(CheckedEquation::definition(phase))
@@ -190,16 +190,16 @@ fn checked(
 /// Highest power whose table is shown unfolded; those of higher powers are folded.
 const OPEN_TO_READ: usize = 3;
 
-pub(super) fn one_power(subject: &TwoSidedSubject, found: &QuarterOrder) -> DerivationStep {
-    let n = found.power;
+pub(super) fn one_power(subject: &TwoSidedSubject, order: &QuarterOrder) -> DerivationStep {
+    let n = order.power;
     let (part, correction) = (subject.part(n), correction_name(n - 1));
-    let known = series(&found.known, "τ");
+    let force = series(&order.forcing, "τ");
     let left = Formula::from(part.clone().prime().prime()) + Formula::from(&part);
     let of_correction = number(2) * Formula::from(&correction) * cos(tau());
-    let right = if found.known.is_zero() { of_correction } else { of_correction + known.clone() };
-    let forcing = checked(subject, n, Statement::equal(left, right), QuarterClaim::Forcing { known });
+    let right = if order.forcing.is_zero() { of_correction } else { of_correction + force.clone() };
+    let forcing = checked(subject, n, Statement::equal(left, right), QuarterClaim::Forcing { value: force });
     let step = DerivationStep::new(&format!("order-{n}"), &format!("Power {n} of the amplitude"));
-    if found.known.is_zero() {
+    if order.forcing.is_zero() {
         return step
             .say("Lower powers bring nothing to the right side. The equation in this power is", [])
             .show(forcing)
@@ -212,7 +212,7 @@ pub(super) fn one_power(subject: &TwoSidedSubject, found: &QuarterOrder) -> Deri
     }
     let way = |step: DerivationStep| {
         step.say("The parts of the equation of motion bring to the right side", [])
-            .table(table(subject, found))
+            .table(table(subject, order))
             .say("so that the equation in this power is", [])
             .show(forcing)
     };
@@ -221,9 +221,9 @@ pub(super) fn one_power(subject: &TwoSidedSubject, found: &QuarterOrder) -> Deri
         false => step.fold("Contributions of lower powers, and the equation", way),
     };
     let y = Name::new("y").index(whole(n));
-    let begun = Statement::equal(&y, series(&found.begun, "τ"));
+    let begun = Statement::equal(&y, series(&order.begun, "τ"));
     let value = subject.quarter.ratio.get(n - 1).cloned().unwrap_or_default();
-    let at_end = found.begun.at_quarter_turn();
+    let at_end = order.begun.at_quarter_turn();
     let vanishing = Statement::equal(&correction, over_half_pi(&at_end.negated())).and_equal(written(&value));
     let motion = subject.quarter.motion.get(n).cloned().unwrap_or_default();
     let motion = Statement::equal(&part, series(&motion, "τ"));
@@ -250,17 +250,17 @@ fn over_half_pi(value: &PiNumber) -> Formula {
     if is_negative { -product(&value.negated()) } else { product(value) }
 }
 
-fn table(subject: &TwoSidedSubject, found: &QuarterOrder) -> DerivationTable {
-    let n = found.power;
+fn table(subject: &TwoSidedSubject, order: &QuarterOrder) -> DerivationTable {
+    let n = order.power;
     let second = Formula::from(subject.displacement.clone().prime().prime());
     let linear = -(letter("Δ").squared() * second);
     let mut rows = vec![];
-    if !found.of_acceleration.is_zero() {
-        rows.push((linear, of_acceleration(subject, n), &found.of_acceleration));
+    if !order.of_acceleration.is_zero() {
+        rows.push((linear, of_acceleration(subject, n), &order.of_acceleration));
     }
-    let powers = subject.quarter.force.iter().enumerate().skip(1).zip(&found.of_powers);
-    for ((place, factor), part) in powers.filter(|(_, part)| !part.is_zero()) {
-        let exponent = place + 1;
+    let powers = subject.quarter.force.iter().enumerate().skip(1).zip(&order.of_powers);
+    for ((index, factor), part) in powers.filter(|(_, part)| !part.is_zero()) {
+        let exponent = index + 1;
         let part_name = monomial(&-factor.clone(), &subject.u(), exponent);
         rows.push((part_name, of_power(subject, factor, exponent, n), part));
     }
@@ -303,8 +303,8 @@ fn of_power(subject: &TwoSidedSubject, factor: &Rational, exponent: usize, n: us
     let zero = || vec![Polynomial::zero(); n + 1];
     let letter = subject.displacement.letter.clone();
     let mut motion = zero();
-    for (place, part) in motion.iter_mut().enumerate().skip(1) {
-        *part = Polynomial::variable(Variable::indexed(&letter, u32::try_from(place).unwrap_or(0)));
+    for (index, part) in motion.iter_mut().enumerate().skip(1) {
+        *part = Polynomial::variable(Variable::indexed(&letter, u32::try_from(index).unwrap_or(0)));
     }
     let mut power = motion.clone();
     for _ in 1..exponent {

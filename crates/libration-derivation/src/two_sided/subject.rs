@@ -59,16 +59,22 @@ impl TwoSidedSubject {
 
     /// Compares frequency and harmonics with the library's, which are found from the potential.
     pub(super) fn agrees_with_library(&self, watch: &Watch<'_>) -> Result<(), DerivationError> {
-        let found = expand_with_constants(&self.oscillator, self.order, &Gauge::XMax, watch);
-        let found = found.map_err(|error| match error {
+        let outcome = expand_with_constants(&self.oscillator, self.order, &Gauge::XMax, watch);
+        let expansion = outcome.map_err(|error| match error {
             SymbolicExpansionError::Expansion(error) => error.into(),
             _ => DerivationError::NoFractions,
         })?;
         let different = DerivationError::Disagreement { what: "two computations of the swing" };
-        let Some(of) = found.and_then(|found| found.series.of_amplitude) else { return Err(different) };
-        let same = |own: &[PiNumber], other: &[LaurentPolynomial]| {
-            let count = own.len().min(self.order);
-            own.iter().zip(other).take(count).all(|(own, other)| in_powers_of_pi(other).as_ref() == Some(own))
+        let Some(of) = expansion.and_then(|symbolic| symbolic.series.of_amplitude) else {
+            return Err(different);
+        };
+        let same = |coefficients: &[PiNumber], other: &[LaurentPolynomial]| {
+            let count = coefficients.len().min(self.order);
+            coefficients
+                .iter()
+                .zip(other)
+                .take(count)
+                .all(|(coefficient, other)| in_powers_of_pi(other).as_ref() == Some(coefficient))
         };
         let is_same = |(k, other): &(usize, Vec<LaurentPolynomial>)| {
             *k > self.order || same(&self.quarter.harmonic(*k), other)
@@ -117,8 +123,8 @@ fn written_out(function: &Expression, symbol: &Symbol, displacement: &Name) -> F
     match powers {
         Some(powers) => polynomial(&powers, &displacement.into()),
         None => {
-            let own = Expression::Symbol(Symbol::plain(&displacement.letter));
-            (&function.substitute(symbol, &own).simplified()).into()
+            let symbol_of_displacement = Expression::Symbol(Symbol::plain(&displacement.letter));
+            (&function.substitute(symbol, &symbol_of_displacement).simplified()).into()
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Layout of formulas: brackets, signs and spaces are decided once, for LaTeX and MathML alike.
 
 use super::super::formula::{Decimal, DecimalUnit, Formula, Name, Subscript};
-use super::place::{Place, place};
+use super::precedence::{Precedence, precedence};
 use libration::algebra::{Function, Rational};
 
 /// The parts of a formula, set side by side, above and below.
@@ -60,7 +60,9 @@ impl Style {
             Formula::Decimal(value) => decimal(value),
             Formula::Pi => Layout::Letter("π".to_owned()),
             Formula::Name(it) => self.name(it),
-            Formula::Negate(it) => Layout::Row(vec![Layout::Prefix('−'), self.at_least(Place::Product, it)]),
+            Formula::Negate(it) => {
+                Layout::Row(vec![Layout::Prefix('−'), self.at_least(Precedence::Product, it)])
+            }
             Formula::Sum(terms) => self.sum(terms),
             Formula::Product(factors) => self.product(factors),
             Formula::Fraction(over, under) => self.fraction(over, under),
@@ -74,16 +76,16 @@ impl Style {
             }
             Formula::Derivative { of, by } => self.derivative(of, by),
             Formula::DoubleFactorial(it) => {
-                Layout::Row(vec![self.at_least(Place::Atom, it), Layout::Suffix("!!")])
+                Layout::Row(vec![self.at_least(Precedence::Atom, it), Layout::Suffix("!!")])
             }
             Formula::Order(it) => self.apply(Layout::Letter("O".to_owned()), [&**it]),
         }
     }
 
     /// The layout, in brackets if the formula binds weaker than its place requires.
-    fn at_least(self, wanted: Place, formula: &Formula) -> Layout {
+    fn at_least(self, wanted: Precedence, formula: &Formula) -> Layout {
         let layout = self.formula(formula);
-        if place(formula) < wanted { Layout::Brackets(Box::new(layout)) } else { layout }
+        if precedence(formula) < wanted { Layout::Brackets(Box::new(layout)) } else { layout }
     }
 
     fn number(self, value: &Rational) -> Layout {
@@ -108,9 +110,8 @@ impl Style {
     fn fraction(self, over: &Formula, under: &Formula) -> Layout {
         match self {
             Self::Display => self.quotient(self.formula(over), self.formula(under)),
-            Self::Inline => {
-                self.quotient(self.at_least(Place::Product, over), self.at_least(Place::Power, under))
-            }
+            Self::Inline => self
+                .quotient(self.at_least(Precedence::Product, over), self.at_least(Precedence::Power, under)),
         }
     }
 
@@ -138,7 +139,7 @@ impl Style {
                 (_, true) => row.push(Layout::Sign('−')),
             }
             let last = n + 1 == terms.len();
-            row.push(self.at_least(if last { Place::Large } else { Place::Product }, &size));
+            row.push(self.at_least(if last { Precedence::Large } else { Precedence::Product }, &size));
         }
         Layout::Row(row)
     }
@@ -158,8 +159,8 @@ impl Style {
                 // 1/8·a with a slash could be read as 1/(8a).
                 Formula::Number(value) if next.is_some() => Self::Display.number(value),
                 Formula::Number(value) if n == 0 => self.number(value),
-                _ if next.is_none() => self.at_least(Place::Large, factor),
-                _ => self.at_least(Place::Product, factor),
+                _ if next.is_none() => self.at_least(Precedence::Large, factor),
+                _ => self.at_least(Precedence::Product, factor),
             });
         }
         Layout::Row(row)
@@ -177,7 +178,7 @@ impl Style {
                 }
                 letter => scripts(letter, None, Some(exponent)),
             },
-            _ => scripts(self.at_least(Place::Atom, base), None, Some(exponent)),
+            _ => scripts(self.at_least(Precedence::Atom, base), None, Some(exponent)),
         }
     }
 
@@ -218,7 +219,7 @@ impl Style {
         let first = vec![Self::Inline.name(index), Layout::Sign('='), Self::Inline.formula(from)];
         let last = to.map_or_else(|| Layout::Letter("∞".to_owned()), |to| Self::Inline.formula(to));
         let sign = Layout::Large { sign: '∑', from: Box::new(Layout::Row(first)), to: Box::new(last) };
-        Layout::Row(vec![sign, self.at_least(Place::Product, term)])
+        Layout::Row(vec![sign, self.at_least(Precedence::Product, term)])
     }
 
     /// The differential stands in the numerator if the integrand is the inverse of a formula.
@@ -231,7 +232,7 @@ impl Style {
                 Layout::Row(vec![sign, self.quotient(differential, self.formula(under))])
             }
             _ => {
-                let integrand = self.at_least(Place::Product, integrand);
+                let integrand = self.at_least(Precedence::Product, integrand);
                 Layout::Row(vec![sign, integrand, Layout::ThinSpace, differential])
             }
         }
@@ -244,7 +245,7 @@ impl Style {
             Formula::Name(name) => self.quotient(Layout::Row(vec![d(), self.name(name)]), under),
             _ => {
                 let operator = self.quotient(d(), under);
-                Layout::Row(vec![operator, Layout::ThinSpace, self.at_least(Place::Power, of)])
+                Layout::Row(vec![operator, Layout::ThinSpace, self.at_least(Precedence::Power, of)])
             }
         }
     }

@@ -3,7 +3,7 @@
 pub(super) mod escape;
 pub(super) mod layout;
 pub(super) mod lines;
-mod place;
+mod precedence;
 mod latex;
 mod mathml;
 

@@ -134,7 +134,7 @@ fn every_formula_but_definitions_is_evaluated_for_several_choices() {
         for block in &step.blocks {
             let Block::Equation { equation, .. } = block else { continue };
             match equation.check() {
-                Check::Digits { place: ComparedAt::Choices { choices }, .. }
+                Check::Digits { compared_at: ComparedAt::Choices { choices }, .. }
                 | Check::Choices { choices, .. } => {
                     assert_eq!(*choices, 3);
                     compared += 1;

@@ -156,7 +156,7 @@ impl Assembler<'_> {
         if let Some(home) = home {
             let address = self.address(home)?;
             self.encode(Instruction::with2(rows.packed.load, to, address))?;
-        } else if places.iter().all(|place| *place == places[0]) {
+        } else if places.iter().all(|slot| *slot == places[0]) {
             let address = self.address(Home::Place(places[0]))?;
             self.encode(Instruction::with2(rows.packed.broadcast, to, address))?;
         } else {
@@ -215,10 +215,10 @@ impl Assembler<'_> {
     }
 
     /// A number as an operand: the register that still holds it, or its slot in memory.
-    fn at_place(&self, place: usize) -> Result<Operand, NoCode> {
-        match self.kept[place].and_then(|value| self.registers.find(value)) {
+    fn at_place(&self, slot: usize) -> Result<Operand, NoCode> {
+        match self.kept[slot].and_then(|value| self.registers.find(value)) {
             Some(register) => Ok(Operand::Register(self.set.register(register))),
-            None => Ok(Operand::Memory(self.address(Home::Place(place))?)),
+            None => Ok(Operand::Memory(self.address(Home::Place(slot))?)),
         }
     }
 

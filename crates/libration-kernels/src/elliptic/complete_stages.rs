@@ -52,9 +52,9 @@ impl Kernel for Nomes<'_> {
             stages.load(&self.moduli, &block);
             stages.descend();
             stages.logarithms();
-            for (i, found) in nomes.iter_mut().enumerate() {
+            for (i, result) in nomes.iter_mut().enumerate() {
                 let nome = nome(&stages.nearer(i), &stages.descent(i), stages.log.get(i));
-                *found = stages.inside[i] * nome;
+                *result = stages.inside[i] * nome;
             }
             written.copy_from_slice(&nomes[..written.len()]);
         }
@@ -100,8 +100,8 @@ impl<F: Rounded> Each<'_, F> {
         for (value, result) in self.moduli.values().iter().zip(self.results) {
             let nearer = self.moduli.nearer(*value);
             let log = log_of_inverse(nearer.smaller, nearer.raised);
-            let found = F::value(nearer.above, nearer.plain_smaller(), log);
-            *result = if (0.0..=1.0).contains(value) { found } else { f64::NAN };
+            let value_inside = F::value(nearer.above, nearer.plain_smaller(), log);
+            *result = if (0.0..=1.0).contains(value) { value_inside } else { f64::NAN };
         }
     }
 }
@@ -167,9 +167,9 @@ pub fn complete_seconds(moduli: Moduli<'_>, seconds: &mut [f64]) -> Result<(), L
 /// ```
 /// # extern crate libration_kernels as libration;
 /// use libration::elliptic::{Moduli, nomes};
-/// let mut found = [0.0; 2];
-/// nomes(Moduli::Parameters(&[0.5, 1.0]), &mut found)?;
-/// assert_eq!(found, [0.04321391826377225, 1.0]); // e^−π
+/// let mut values = [0.0; 2];
+/// nomes(Moduli::Parameters(&[0.5, 1.0]), &mut values)?;
+/// assert_eq!(values, [0.04321391826377225, 1.0]); // e^−π
 /// # Ok::<(), libration::elliptic::LengthMismatch>(())
 /// ```
 pub fn nomes(moduli: Moduli<'_>, nomes: &mut [f64]) -> Result<(), LengthMismatch> {

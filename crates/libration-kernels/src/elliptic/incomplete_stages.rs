@@ -27,9 +27,9 @@ use std::marker::PhantomData;
 /// ```
 /// # extern crate libration_kernels as libration;
 /// use libration::elliptic::{Moduli, incomplete_firsts};
-/// let mut found = [0.0; 2];
-/// incomplete_firsts(&[1.0, 1.0], Moduli::Parameters(&[0.0, 0.5]), &mut found)?;
-/// assert_eq!(found, [1.0, 1.0832167728451687]);
+/// let mut integrals = [0.0; 2];
+/// incomplete_firsts(&[1.0, 1.0], Moduli::Parameters(&[0.0, 0.5]), &mut integrals)?;
+/// assert_eq!(integrals, [1.0, 1.0832167728451687]);
 /// # Ok::<(), libration::elliptic::LengthMismatch>(())
 /// ```
 pub fn incomplete_firsts(
@@ -53,9 +53,9 @@ pub fn incomplete_firsts(
 /// ```
 /// # extern crate libration_kernels as libration;
 /// use libration::elliptic::{Moduli, incomplete_seconds};
-/// let mut found = [0.0; 2];
-/// incomplete_seconds(&[1.0, 1.0], Moduli::Parameters(&[0.0, 0.5]), &mut found)?;
-/// assert_eq!(found, [1.0, 0.92732988362444]);
+/// let mut integrals = [0.0; 2];
+/// incomplete_seconds(&[1.0, 1.0], Moduli::Parameters(&[0.0, 0.5]), &mut integrals)?;
+/// assert_eq!(integrals, [1.0, 0.92732988362444]);
 /// # Ok::<(), libration::elliptic::LengthMismatch>(())
 /// ```
 pub fn incomplete_seconds(

@@ -138,7 +138,7 @@ impl JacobiStages {
     fn block(&mut self, arguments: &[f64], values: &[f64], moduli: &Moduli<'_>) {
         self.argument[..arguments.len()].copy_from_slice(arguments);
         // One modulus for many arguments is prepared only once.
-        let same = |(value, known): (&f64, &f64)| value.to_bits() == known.to_bits();
+        let same = |(value, prepared): (&f64, &f64)| value.to_bits() == prepared.to_bits();
         if !self.is_prepared || !values.iter().zip(&self.prepared).all(same) {
             self.is_prepared = true;
             self.prepared[..values.len()].copy_from_slice(values);

@@ -34,9 +34,9 @@ impl<'a> Moduli<'a> {
         function: impl Fn(usize, &Modulus) -> [f64; M],
     ) {
         for i in 0..self.values().len() {
-            let found = self.modulus(i).map_or([f64::NAN; M], |modulus| function(i, &modulus));
-            for (result, found) in results.iter_mut().zip(found) {
-                result[i] = found;
+            let values = self.modulus(i).map_or([f64::NAN; M], |modulus| function(i, &modulus));
+            for (result, value) in results.iter_mut().zip(values) {
+                result[i] = value;
             }
         }
     }
@@ -90,7 +90,7 @@ impl LengthMismatch {
     }
 
     #[doc(hidden)]
-    pub fn check_lengths(expected: usize, found: usize) -> Result<(), Self> {
-        if expected == found { Ok(()) } else { Err(Self { expected, found }) }
+    pub fn check_lengths(expected: usize, actual: usize) -> Result<(), Self> {
+        if expected == actual { Ok(()) } else { Err(Self { expected, found: actual }) }
     }
 }

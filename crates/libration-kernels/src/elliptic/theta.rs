@@ -303,14 +303,14 @@ impl Phase {
         let more = fraction.hi.round_ties_even();
         let fraction_hi = fraction.hi - more;
         let quarter = (4.0 * fraction_hi).round_ties_even();
-        let known = whole.abs() < most;
+        let is_determined = whole.abs() < most;
         let rest = fast_two_sum(
-            if known { (-0.25f64).fma(quarter, fraction_hi) } else { f64::NAN },
-            if known { fraction.lo } else { 0.0 },
+            if is_determined { (-0.25f64).fma(quarter, fraction_hi) } else { f64::NAN },
+            if is_determined { fraction.lo } else { 0.0 },
         );
         Self {
-            turns: if known { whole + more } else { turns.hi },
-            quarter: if known { quarter } else { 0.0 },
+            turns: if is_determined { whole + more } else { turns.hi },
+            quarter: if is_determined { quarter } else { 0.0 },
             rest,
         }
     }

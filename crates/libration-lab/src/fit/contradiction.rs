@@ -68,8 +68,8 @@ impl Contradiction {
     }
 
     /// Returns the contradiction with the largest difference.
-    pub(super) fn largest(found: impl Iterator<Item = Self>) -> Option<Self> {
-        found.max_by(|a, b| a.half_width().total_cmp(&b.half_width()))
+    pub(super) fn largest(contradictions: impl Iterator<Item = Self>) -> Option<Self> {
+        contradictions.max_by(|a, b| a.half_width().total_cmp(&b.half_width()))
     }
 }
 

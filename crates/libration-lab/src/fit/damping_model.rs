@@ -104,13 +104,13 @@ impl FromStr for DampingModel {
         }
         let mut terms = Self::UNDAMPED;
         for name in text.split('+').map(str::trim) {
-            let place = DampingKind::ALL.iter().position(|term| term.name().eq_ignore_ascii_case(name));
-            let place =
-                place.ok_or_else(|| DampingModelError::Unknown(libration::quantity::excerpt(name)))?;
-            if terms.0[place] {
-                return Err(DampingModelError::Repeated(DampingKind::ALL[place]));
+            let position = DampingKind::ALL.iter().position(|term| term.name().eq_ignore_ascii_case(name));
+            let index =
+                position.ok_or_else(|| DampingModelError::Unknown(libration::quantity::excerpt(name)))?;
+            if terms.0[index] {
+                return Err(DampingModelError::Repeated(DampingKind::ALL[index]));
             }
-            terms.0[place] = true;
+            terms.0[index] = true;
         }
         Ok(terms)
     }

@@ -27,18 +27,18 @@ pub fn settled<S: Weighted>(
     parameters: &'static str,
     solve: impl Fn(&[f64]) -> Result<S, FitError>,
 ) -> Result<(S, Option<Vec<f64>>), FitError> {
-    let mut found = solve(&vec![1.0; points.len()])?;
+    let mut solution = solve(&vec![1.0; points.len()])?;
     if weighting == Weighting::Scatter {
-        return Ok((found, None));
+        return Ok((solution, None));
     }
     for _ in 0..MOST_ROUNDS {
-        let variances: Vec<f64> = points.iter().map(|point| point.variance(found.scale())).collect();
+        let variances: Vec<f64> = points.iter().map(|point| point.variance(solution.scale())).collect();
         let weights: Vec<f64> = variances.iter().map(|variance| 1.0 / variance.sqrt()).collect();
         let renewed = solve(&weights)?;
-        if (renewed.scale() - found.scale()).abs() <= renewed.negligible() {
+        if (renewed.scale() - solution.scale()).abs() <= renewed.negligible() {
             return Ok((renewed, Some(variances)));
         }
-        found = renewed;
+        solution = renewed;
     }
     Err(FitError::NoConvergence(parameters))
 }

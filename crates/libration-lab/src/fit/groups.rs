@@ -121,10 +121,12 @@ fn standing_out(groups: &[GroupResult]) -> Option<usize> {
     let probability = |index: usize| {
         let others = || groups.iter().enumerate().filter(move |(other, _)| *other != index).map(|it| it.1);
         let (group, mean) = (&groups[index], weighted(others()));
-        let [own, rest] = [group.value.uncertainty, mean.uncertainty].map(|it| it * it);
-        let spread = own * own / group.degrees_of_freedom + rest * rest / welch(others(), mean.uncertainty);
-        let freedom = if spread > 0.0 { (own + rest) * (own + rest) / spread } else { f64::INFINITY };
-        student::probability_beyond_any((group.value.value - mean.value) / (own + rest).sqrt(), freedom)
+        let [variance, rest] = [group.value.uncertainty, mean.uncertainty].map(|it| it * it);
+        let spread =
+            variance * variance / group.degrees_of_freedom + rest * rest / welch(others(), mean.uncertainty);
+        let freedom =
+            if spread > 0.0 { (variance + rest) * (variance + rest) / spread } else { f64::INFINITY };
+        student::probability_beyond_any((group.value.value - mean.value) / (variance + rest).sqrt(), freedom)
     };
     let all = (0..groups.len()).map(|index| (index, probability(index)));
     let (index, least) = all.min_by(|one, other| one.1.total_cmp(&other.1))?;

@@ -75,17 +75,17 @@ impl GravityMistake {
     /// ```
     /// use libration_lab::fit::{GravityMistake, Uncertain};
     ///
-    /// let found = Uncertain { value: 39.1, uncertainty: 0.4 };
-    /// let mistake = GravityMistake::explaining(found, GravityMistake::anywhere_on_earth());
+    /// let gravity = Uncertain { value: 39.1, uncertainty: 0.4 };
+    /// let mistake = GravityMistake::explaining(gravity, GravityMistake::anywhere_on_earth());
     /// assert_eq!(mistake, Some(GravityMistake::HalfPeriodsAsWhole));
     /// ```
     #[must_use]
-    pub fn explaining(found: Uncertain, local: Uncertain) -> Option<Self> {
-        let relative = libm::hypot(found.relative(), local.relative());
+    pub fn explaining(gravity: Uncertain, local: Uncertain) -> Option<Self> {
+        let relative = libm::hypot(gravity.relative(), local.relative());
         let explains = |mistake: &Self| {
             let expected = mistake.factor() * local.value;
-            let uncertainty = libm::hypot(found.uncertainty, mistake.factor() * local.uncertainty);
-            (found.value - expected).abs() <= 2.0 * uncertainty
+            let uncertainty = libm::hypot(gravity.uncertainty, mistake.factor() * local.uncertainty);
+            (gravity.value - expected).abs() <= 2.0 * uncertainty
         };
         let mut explaining = Self::ALL.into_iter().filter(explains);
         let only = explaining.next().filter(|_| explaining.next().is_none())?;

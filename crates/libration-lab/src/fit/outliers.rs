@@ -37,7 +37,7 @@ pub fn find_outliers(table: &PeriodTable, law: &Law<'_>, threshold: f64) -> Resu
     let rounding = table.rounding.iter().flatten().copied().fold(0.0, f64::max);
     let rounding = if table.weighting() == Weighting::Scatter { rounding } else { 0.0 };
     let sigma = deviation_by_median(&deviations).map_or(f64::NAN, |sigma| sigma.max(rounding));
-    let of_few = table.len().checked_sub(3).and_then(|place| OF_FEW_ROWS.get(place)).unwrap_or(&1.0);
+    let of_few = table.len().checked_sub(3).and_then(|index| OF_FEW_ROWS.get(index)).unwrap_or(&1.0);
     // With more than half of the rows exactly on the law there is no scale for the others.
     let beyond = |deviation: f64| sigma > 0.0 && deviation > threshold * of_few * sigma;
     Ok((0..deviations.len()).filter(|&row| beyond(deviations[row])).collect())

@@ -151,10 +151,10 @@ impl PeriodFit {
             return None;
         }
         let rows = self.table.amplitudes().zip(&self.exact.standard_deviations).zip(shifts);
-        let sums = rows.fold([0.0, 0.0], |[shift, whole], ((amplitude, deviation), own)| {
+        let sums = rows.fold([0.0, 0.0], |[shift, whole], ((amplitude, deviation), shift_of_row)| {
             let ratio = Law::exact().ratio_at(amplitude);
             let weight = ratio / (deviation * deviation);
-            [shift + weight * own, whole + weight * ratio]
+            [shift + weight * shift_of_row, whole + weight * ratio]
         });
         Some(sums[0] / sums[1] / self.exact.t0.value)
     }

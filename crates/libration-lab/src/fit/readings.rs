@@ -99,9 +99,9 @@ impl RepeatedReadings {
     /// use libration_lab::fit::{ReadingSummary, RepeatedReadings};
     ///
     /// let summary = |mean| ReadingSummary { mean, deviation: 0.02_f64.sqrt(), count: 2 };
-    /// let known = RepeatedReadings::of_summaries(&[summary(1.1), summary(3.0)], 0.01).unwrap();
+    /// let summarised = RepeatedReadings::of_summaries(&[summary(1.1), summary(3.0)], 0.01).unwrap();
     /// let readings = RepeatedReadings::new(&[vec![1.0, 1.2], vec![3.1, 2.9]], 0.01).unwrap();
-    /// assert!((known.rows[0].uncertainty / readings.rows[0].uncertainty - 1.0).abs() < 1e-12);
+    /// assert!((summarised.rows[0].uncertainty / readings.rows[0].uncertainty - 1.0).abs() < 1e-12);
     /// ```
     #[must_use]
     pub fn of_summaries(rows: &[ReadingSummary], step: f64) -> Option<Self> {
@@ -121,8 +121,8 @@ impl RepeatedReadings {
         let rounding = Some(step / 12.0_f64.sqrt()).filter(|rounding| *rounding > deviation);
         let row = |(row, group): (usize, &RowReadings)| {
             let is_unlike = Some(row) == unlike;
-            let own = if is_unlike { group.variance().sqrt() } else { deviation };
-            let by_scatter = own / count(group.count).sqrt();
+            let spread = if is_unlike { group.variance().sqrt() } else { deviation };
+            let by_scatter = spread / count(group.count).sqrt();
             let alone = (group.variance() / count(group.count)).sqrt();
             let by_own_scatter = if differ && group.dof > 0 { alone } else { by_scatter };
             let by_rounding = rounding.unwrap_or(0.0);
@@ -178,9 +178,10 @@ pub fn effective_degrees_of_freedom(readings: &RepeatedReadings, coefficients: &
     let parts: Vec<(usize, f64)> = coefficients.iter().enumerate().map(part).collect();
     let pooled: f64 =
         parts.iter().filter(|(row, _)| !readings.is_by_itself(*row)).map(|(_, part)| part).sum();
-    let own = parts.iter().filter(|(row, _)| readings.is_by_itself(*row));
-    let own: f64 = own.map(|(row, part)| part * part / count(readings.degrees_of_freedom_of(*row))).sum();
-    let spread = own + pooled * pooled / count(readings.degrees_of_freedom.max(1));
+    let single_rows = parts.iter().filter(|(row, _)| readings.is_by_itself(*row));
+    let separate: f64 =
+        single_rows.map(|(row, part)| part * part / count(readings.degrees_of_freedom_of(*row))).sum();
+    let spread = separate + pooled * pooled / count(readings.degrees_of_freedom.max(1));
     if spread > 0.0 { total * total / spread } else { f64::INFINITY }
 }
 
@@ -311,6 +312,7 @@ fn outliers(rows: &[Vec<f64>], groups: &[RowReadings], step: f64) -> Vec<(usize,
         let t = deviation / (left * others.max(step * step / 12.0)).sqrt();
         student::probability_beyond(t, all.dof - 1) * count(tested) < BY_CHANCE
     };
-    let places = (0..rows.len()).flat_map(|row| (0..rows[row].len()).map(move |reading| (row, reading)));
-    places.filter(|&(row, reading)| is_outlier(row, reading)).collect()
+    let readings_of_rows =
+        (0..rows.len()).flat_map(|row| (0..rows[row].len()).map(move |reading| (row, reading)));
+    readings_of_rows.filter(|&(row, reading)| is_outlier(row, reading)).collect()
 }

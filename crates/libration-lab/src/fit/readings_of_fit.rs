@@ -59,12 +59,12 @@ impl<'a> ReadingsOfFit<'a> {
     pub(super) fn scatter(&self, chi2: f64, dof: usize) -> Option<Scatter> {
         let rows = self.variances.len();
         let responses = self.responses();
-        let own = |i: usize| self.variances[i] + self.excess(i);
+        let variance = |i: usize| self.variances[i] + self.excess(i);
         let spanned = self.columns * responses;
         // A row of A·V.
         let part = |i: usize, j: usize| {
             let unit = if i == j { 1.0 } else { 0.0 };
-            (unit - spanned[(i, j)]) / self.variances[i] * own(j)
+            (unit - spanned[(i, j)]) / self.variances[i] * variance(j)
         };
         let value: f64 = (0..rows).map(|i| part(i, i)).sum();
         let square: f64 = (0..rows).map(|i| (0..rows).map(|j| part(i, j) * part(j, i)).sum::<f64>()).sum();
@@ -89,7 +89,8 @@ impl<'a> ReadingsOfFit<'a> {
     /// The variance of a value minus the one used in its weight.
     fn excess(&self, row: usize) -> f64 {
         let reading = &self.readings.rows[row];
-        let [own, pooled] = [reading.by_own_scatter, reading.by_scatter].map(|it| it * self.factors[row]);
-        own * own - pooled * pooled
+        let [separate, pooled] =
+            [reading.by_own_scatter, reading.by_scatter].map(|it| it * self.factors[row]);
+        separate * separate - pooled * pooled
     }
 }

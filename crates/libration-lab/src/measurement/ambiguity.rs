@@ -48,11 +48,11 @@ fn of_whole_numbers(row: &str) -> bool {
     let digits = |cell: &str| !cell.is_empty() && cell.bytes().all(|byte| byte.is_ascii_digit());
     let cells: Vec<&str> = row.split(',').collect();
     let first = cells[0].trim_start_matches('-');
-    let may_be_whole = |place: usize| place.is_multiple_of(2);
+    let may_be_whole = |index: usize| index.is_multiple_of(2);
     cells.len() > 1
         && digits(first)
-        && cells.iter().enumerate().skip(1).all(|(place, cell)| {
-            digits(cell) || may_be_whole(place) && cell.strip_prefix('-').is_some_and(digits)
+        && cells.iter().enumerate().skip(1).all(|(index, cell)| {
+            digits(cell) || may_be_whole(index) && cell.strip_prefix('-').is_some_and(digits)
         })
 }
 
@@ -69,16 +69,16 @@ fn commas_between_digits(sheet: &Sheet) -> MeasurementError {
 /// A number, if every comma has just three digits after it and one to three before it that do not begin with zero.
 fn only_thousands(rows: &[&str], delimiter: Delimiter) -> Option<String> {
     let dialect = Dialect::new(delimiter, DecimalMark::Comma);
-    let (mut found, text) = (None, rows.join("\n"));
+    let (mut first, text) = (None, rows.join("\n"));
     for row in dialect.rows(&text) {
         for cell in row.cells.iter().filter(|cell| cell.contains(',')) {
             if !may_be_thousands(cell) {
                 return None;
             }
-            found.get_or_insert_with(|| cell.to_owned());
+            first.get_or_insert_with(|| cell.to_owned());
         }
     }
-    found
+    first
 }
 
 /// Returns `true` if exactly three digits follow a comma, and one to three precede it that do not begin with zero.
@@ -95,8 +95,8 @@ pub(super) fn may_be_thousands(cell: &str) -> bool {
 
 /// The text of a workbook; refused if its only commas may be marks of thousands, unless the decimal mark is given.
 pub(super) fn of_cells<'a>(text: &'a str, options: &ReadOptions) -> Result<Cow<'a, str>, MeasurementError> {
-    let found = text.split(['\t', '\n']).find(|cell| may_be_thousands(cell));
-    match (found, options.decimal) {
+    let ambiguous = text.split(['\t', '\n']).find(|cell| may_be_thousands(cell));
+    match (ambiguous, options.decimal) {
         (None, _) | (_, Some(DecimalMark::Point)) => Ok(text.into()),
         (Some(number), None) => Err(thousands(number.trim())),
         (Some(_), Some(DecimalMark::Comma)) => {

@@ -129,9 +129,9 @@ impl Blocks {
         self.begun.insert(0, (0, title));
         let has_titles = self.begun.iter().all(|(_, title)| title.is_some());
         let mut groups = vec![];
-        for (place, (_, title)) in self.begun.iter().enumerate() {
-            let end = self.begun.get(place + 1).map_or(rows, |(next, _)| *next);
-            let numbered = format!("table {}", place + 1);
+        for (index, (_, title)) in self.begun.iter().enumerate() {
+            let end = self.begun.get(index + 1).map_or(rows, |(next, _)| *next);
+            let numbered = format!("table {}", index + 1);
             let title = title.as_deref().filter(|_| has_titles).unwrap_or(&numbered);
             groups.resize(end, excerpt(title));
         }

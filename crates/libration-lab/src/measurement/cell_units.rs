@@ -14,8 +14,8 @@ impl CellUnits {
     }
 
     pub(super) fn push(&mut self, row: &TextRow) {
-        for (place, units) in self.0.iter_mut().enumerate() {
-            units.push(row.units.get(place).copied().flatten());
+        for (column, units) in self.0.iter_mut().enumerate() {
+            units.push(row.units.get(column).copied().flatten());
         }
     }
 

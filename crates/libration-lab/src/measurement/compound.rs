@@ -99,11 +99,11 @@ fn without_date(cell: &str) -> (Option<u32>, &str) {
         let date = [numbers.next()??, numbers.next()??, numbers.next()??];
         numbers.next().is_none().then_some(date)
     };
-    let found = cell.get(..10).zip(cell.get(10..)).and_then(|(date, rest)| {
+    let parts = cell.get(..10).zip(cell.get(10..)).and_then(|(date, rest)| {
         let time = rest.strip_prefix([' ', 't'])?.trim_end_matches('z');
         Some((days(parts(date)?)?, time))
     });
-    found.map_or((None, cell), |(days, time)| (Some(days), time))
+    parts.map_or((None, cell), |(days, time)| (Some(days), time))
 }
 
 /// Days from 1 March 2000, of the Gregorian calendar with years that begin in March.

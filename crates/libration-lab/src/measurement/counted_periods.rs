@@ -35,15 +35,15 @@ impl Table {
     /// ```
     pub fn counted_periods(&self, column: &Column) -> Result<CountedPeriods, MeasurementError> {
         let sheet = self.sheet();
-        let place = sheet.place(column)?;
-        let heading = &sheet.channels[place].heading;
+        let index = sheet.index_of(column)?;
+        let heading = &sheet.channels[index].heading;
         let text = match heading.stated_uncertainty {
             Some(_) => &without_stated(&heading.text.replace("+/-", "±").replace("+-", "±")).0,
             None => &heading.text,
         };
         let of_heading = counted_in(text, heading.run.as_deref().unwrap_or_default());
         Ok(match numbered_time::number(text) {
-            Some(_) if numbered_time::is_of_reading(self, place) => counted(numbered_time::symbol(text)),
+            Some(_) if numbered_time::is_of_reading(self, index) => counted(numbered_time::symbol(text)),
             Some(number) if number > 1.0 => CountedPeriods::Numbered(number),
             _ => of_heading,
         })
@@ -242,7 +242,7 @@ pub fn counted_in(heading: &str, run: &str) -> CountedPeriods {
         CountedPeriods::Said(1.0) | CountedPeriods::Nothing if counts_periods(run) => {
             counted(&format!("{} {run}", without_run.trim_end()))
         }
-        found => found,
+        of_both => of_both,
     }
 }
 
@@ -259,11 +259,11 @@ fn counts_periods(run: &str) -> bool {
 pub fn counted(heading: &str) -> CountedPeriods {
     let words = words(heading);
     let unclear = || CountedPeriods::Unclear(heading.trim().to_owned());
-    let count = |(place, word): (usize, &String)| Some(number(word)? * length_of(&words[place + 1..])?);
-    let is_of_number = |place: usize| {
-        words[place] == "per" && words.get(place + 1).is_some_and(|next| number(next).is_some())
+    let count = |(index, word): (usize, &String)| Some(number(word)? * length_of(&words[index + 1..])?);
+    let is_of_number = |index: usize| {
+        words[index] == "per" && words.get(index + 1).is_some_and(|next| number(next).is_some())
     };
-    let is_mean = (0..words.len()).any(|place| is(&MEAN, &words[place]) && !is_of_number(place));
+    let is_mean = (0..words.len()).any(|index| is(&MEAN, &words[index]) && !is_of_number(index));
     // `T = t/10` is one period.
     let quotient = heading.split_once('=').map(|(of, is)| (of.trim(), self::words(is)));
     if let Some(("T", is)) = &quotient
@@ -279,7 +279,7 @@ pub fn counted(heading: &str) -> CountedPeriods {
         heading.trim_start().starts_with('T') || words.first().is_some_and(|word| word.starts_with("period"));
     let is_derived =
         is_of_symbol && words.windows(2).any(|pair| is(&FROM, &pair[0]) && number(&pair[1]).is_some());
-    let may_be_count = (0..words.len()).any(|place| may_count(&words, place));
+    let may_be_count = (0..words.len()).any(|index| may_count(&words, index));
     let count = words.iter().enumerate().find_map(count);
     let is_part = count.is_some_and(|count| count < 1.0);
     if is_derived {
@@ -293,8 +293,8 @@ pub fn counted(heading: &str) -> CountedPeriods {
         None => {}
     }
     let is_several =
-        (0..words.len()).any(|place| is(&SEVERAL, &words[place]) && length_of(&words[place + 1..]).is_some());
-    let lasts_half = |place: usize| length_of(&words[place..]).is_some_and(|length| length < 1.0);
+        (0..words.len()).any(|index| is(&SEVERAL, &words[index]) && length_of(&words[index + 1..]).is_some());
+    let lasts_half = |index: usize| length_of(&words[index..]).is_some_and(|length| length < 1.0);
     let is_halved = words.windows(3).any(|three| three[0] == "t" && three[1] == "/" && three[2] == "2");
     if is_part || is_halved || (0..words.len()).any(lasts_half) {
         return if may_be_count || is_several {
@@ -435,16 +435,16 @@ fn length_of(words: &[String]) -> Option<f64> {
 
 /// Returns `true` if a word may be a number of periods: one from ten on, since smaller ones after a symbol number the trials; or one after which a
 /// timed quantity follows, or the first word; not the number of another quantity.
-fn may_count(words: &[String], place: usize) -> bool {
-    let next = words.get(place + 1);
+fn may_count(words: &[String], index: usize) -> bool {
+    let next = words.get(index + 1);
     let is_of_other = next.is_some_and(|next| is(&OTHER_UNITS, next));
-    let is_counted = length_of(&words[place + 1..]).is_some();
-    let is_ordinal = |next: &str| ["st", "nd", "rd", "th"].contains(&next) || words[place].ends_with('.');
+    let is_counted = length_of(&words[index + 1..]).is_some();
+    let is_ordinal = |next: &str| ["st", "nd", "rd", "th"].contains(&next) || words[index].ends_with('.');
     let is_named = |next: &String| next != "/" && !is_ordinal(next) && !is(&UNITS_OF_TIME, next);
-    let is_first = || place == 0 && next.is_some_and(is_named);
-    let is_timed = || place > 0 && is(&FOR, &words[place - 1]);
+    let is_first = || index == 0 && next.is_some_and(is_named);
+    let is_timed = || index > 0 && is(&FOR, &words[index - 1]);
     let may = |number: f64| number >= 10.0 || is_timed() || is_first();
-    number(&words[place]).is_some_and(|number| !is_of_other && !is_counted && may(number))
+    number(&words[index]).is_some_and(|number| !is_of_other && !is_counted && may(number))
 }
 
 /// Returns `true` if a heading speaks of a mean.

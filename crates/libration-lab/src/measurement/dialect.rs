@@ -83,7 +83,7 @@ pub(super) struct TextRow {
 impl TextRow {
     /// The cells up to the last one that is not empty.
     pub(super) fn filled(&self) -> usize {
-        let from_the_end = (0..self.cells.len()).rev().find(|&place| !self.cells[place].is_empty());
+        let from_the_end = (0..self.cells.len()).rev().find(|&index| !self.cells[index].is_empty());
         from_the_end.map_or(0, |last| last + 1)
     }
 
@@ -209,8 +209,8 @@ struct ColumnsOfCompounds(Vec<CompoundNumbers>);
 impl ColumnsOfCompounds {
     /// The cells of a row that are more than plain numbers; the names in a row without numbers are headings of the next rows.
     fn written<'a>(&mut self, row: &'a TextRow, mark: DecimalMark) -> Vec<Option<Written<'a>>> {
-        let of_cell = |(place, cell): (usize, &'a str)| {
-            let of_column = self.0.get(place).copied().unwrap_or_default();
+        let of_cell = |(column, cell): (usize, &'a str)| {
+            let of_column = self.0.get(column).copied().unwrap_or_default();
             of_column.parse(cell, mark).or_else(|| Written::parse(cell, mark))
         };
         let written: Vec<_> = row.cells.iter().enumerate().map(of_cell).collect();

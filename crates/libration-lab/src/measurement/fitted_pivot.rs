@@ -5,7 +5,7 @@
 #[derive(Clone, Debug, PartialEq)]
 pub struct FittedPivot {
     /// Position of the pivot, in the unit of the positions.
-    pub place: [f64; 2],
+    pub position: [f64; 2],
     /// Covariance of the position, in the square of that unit.
     pub covariance: [[f64; 2]; 2],
     /// Derivatives of each angle with respect to the position, in radians per unit.
@@ -34,11 +34,11 @@ impl FittedPivot {
     #[must_use]
     pub fn is_shared_with(&self, other: &Self) -> bool {
         if self.contradicted_by.is_some() && other.contradicted_by.is_some() {
-            return self.place.map(f64::to_bits) == other.place.map(f64::to_bits);
+            return self.position.map(f64::to_bits) == other.position.map(f64::to_bits);
         }
         let bits = |pivot: &Self| {
             let [[xx, xy], [_, yy]] = pivot.covariance;
-            [pivot.place[0], pivot.place[1], xx, xy, yy].map(f64::to_bits)
+            [pivot.position[0], pivot.position[1], xx, xy, yy].map(f64::to_bits)
         };
         bits(self) == bits(other)
     }

@@ -39,7 +39,7 @@ fn gates_of(sheet: &Sheet, choices: &Choices) -> Result<Gates, MeasurementError>
     let mut findings = Vec::new();
     let time = time_column(sheet, choices, &mut findings)?;
     if let Some(column) = &choices.signal {
-        return gates_of_signal(sheet, time, sheet.place(column)?, choices, findings);
+        return gates_of_signal(sheet, time, sheet.index_of(column)?, choices, findings);
     }
     let state = state_column(sheet, choices, &mut findings)?;
     if state.is_none() && choices.time.is_none() {
@@ -54,7 +54,7 @@ fn gates_of(sheet: &Sheet, choices: &Choices) -> Result<Gates, MeasurementError>
         findings,
     };
     for row in 0..sheet.rows() {
-        let state = state.map(|place| state_at(sheet, place, row)).transpose()?;
+        let state = state.map(|column| state_at(sheet, column, row)).transpose()?;
         match (sheet.number(time, row)?.map(|time| unit.to_si(time)), state) {
             (Some(time), _) if !is_asked(time, choices) => {}
             (Some(time), None | Some(Some(_))) => {
@@ -142,27 +142,27 @@ fn gates_of_signal(
     let unit = of_times(&all, sheet, time, choices, &mut |finding| findings.push(finding))?;
     let read = SignalRows::new(sheet, [time, signal], unit, choices)?;
     let column = sheet.describe(signal);
-    let Some(found) = read.passages() else {
+    let Some(signal) = read.passages() else {
         return Err(MeasurementError::NoPassages { column });
     };
     let (count, (name, height)) =
-        (found.passages.len(), if found.are_dips { ("dips", "depth") } else { ("peaks", "height") });
+        (signal.passages.len(), if signal.are_dips { ("dips", "depth") } else { ("peaks", "height") });
     let step = lower_median(read.times.windows(2).map(|pair| pair[1] - pair[0]).collect()).unwrap_or(0.0);
     let step = short(step, 3);
     let text = format!(
         "{count} {name} of {column}, read every {step} s, are passages, which begin and end at half of their {height}"
     );
     findings.push(Finding::new(text, Choice::Signal));
-    let edges = found.passages.iter().flat_map(|passage| passage.edges.map(|edge| (edge, passage.row)));
+    let edges = signal.passages.iter().flat_map(|passage| passage.edges.map(|edge| (edge, passage.row)));
     let (times, lines) = edges.map(|(edge, row)| (edge, sheet.lines[read.rows[row]])).unzip();
-    let blocked = Some(found.passages.iter().flat_map(|_| [true, false]).collect());
+    let blocked = Some(signal.passages.iter().flat_map(|_| [true, false]).collect());
     Ok(Gates { times, blocked, lines, incomplete: read.incomplete, findings })
 }
 
 /// Refuses times with a trace, which are not a table of a gate, and those with any other measured column if they are as evenly spaced as samples.
 fn refuse_samples(sheet: &Sheet, time: usize) -> Result<(), MeasurementError> {
-    let is_traced = |place: usize| {
-        let heading = &sheet.channels[place].heading;
+    let is_traced = |column: usize| {
+        let heading = &sheet.channels[column].heading;
         let traced = [
             QuantityKind::Angle,
             QuantityKind::AngularVelocity,
@@ -172,30 +172,31 @@ fn refuse_samples(sheet: &Sheet, time: usize) -> Result<(), MeasurementError> {
         ];
         traced.contains(&heading.quantity) && !heading.is_uncertainty
     };
-    let is_measured = |place: usize| {
-        let channel = &sheet.channels[place];
+    let is_measured = |column: usize| {
+        let channel = &sheet.channels[column];
         channel.heading.quantity == QuantityKind::Other
             && !channel.heading.is_uncertainty
             && channel.count() > 0
     };
-    let others = (0..sheet.channels.len()).filter(|&place| place != time);
+    let others = (0..sheet.channels.len()).filter(|&column| column != time);
     let is_even = || has_even_steps(&sheet.channels[time].numbers().flatten().collect::<Vec<_>>());
-    let found = others.clone().find(|&place| is_traced(place));
-    let found = found.or_else(|| others.clone().find(|&place| is_measured(place)).filter(|_| is_even()));
-    let Some(other) = found else { return Ok(()) };
+    let traced = others.clone().find(|&column| is_traced(column));
+    let candidate =
+        traced.or_else(|| others.clone().find(|&column| is_measured(column)).filter(|_| is_even()));
+    let Some(other) = candidate else { return Ok(()) };
     let (times, other) = (sheet.describe(time), sheet.describe(other));
     // In any unit: passages depend on the order of the times and not on their scale.
-    let has_passages = |place: usize| {
-        let rows = SignalRows::new(sheet, [time, place], Unit::Second, &Choices::default());
+    let has_passages = |column: usize| {
+        let rows = SignalRows::new(sheet, [time, column], Unit::Second, &Choices::default());
         rows.is_ok_and(|rows| rows.passages().is_some())
     };
-    let is_signal = |place: &usize| {
-        let quantity = sheet.channels[*place].heading.quantity;
-        quantity == QuantityKind::Acceleration || is_measured(*place)
+    let is_signal = |column: &usize| {
+        let quantity = sheet.channels[*column].heading.quantity;
+        quantity == QuantityKind::Acceleration || is_measured(*column)
     };
-    let signals = others.filter(is_signal).filter(|&place| has_passages(place));
+    let signals = others.filter(is_signal).filter(|&column| has_passages(column));
     let signals: Vec<Suggestion> =
-        signals.map(|place| Suggestion::new(Choice::Signal, (place + 1).to_string())).collect();
+        signals.map(|column| Suggestion::new(Choice::Signal, (column + 1).to_string())).collect();
     let (if_they_are, choices) = match signals.is_empty() {
         true => ("; if these are", vec![Suggestion::new(Choice::Time, (time + 1).to_string())]),
         false => (" unless their column is given; for passages by the dips or peaks of a signal", signals),
@@ -231,10 +232,10 @@ fn time_column(
     findings: &mut Vec<Finding>,
 ) -> Result<usize, MeasurementError> {
     if let Some(column) = &choices.time {
-        return sheet.place(column);
+        return sheet.index_of(column);
     }
     let named: Vec<usize> = (0..sheet.channels.len())
-        .filter(|&place| sheet.channels[place].heading.is(QuantityKind::Time))
+        .filter(|&column| sheet.channels[column].heading.is(QuantityKind::Time))
         .collect();
     let all: Vec<usize> = (0..sheet.channels.len()).collect();
     match (&named[..], &all[..]) {
@@ -249,7 +250,7 @@ fn time_column(
             let open = if several.is_empty() { all } else { several };
             let question = "it is not clear which column holds the times of the gate".to_owned();
             let choices =
-                open.iter().map(|place| Suggestion::new(Choice::Time, (place + 1).to_string())).collect();
+                open.iter().map(|column| Suggestion::new(Choice::Time, (column + 1).to_string())).collect();
             Err(MeasurementError::Undecided { question, choices })
         }
     }
@@ -261,29 +262,30 @@ fn state_column(
     findings: &mut Vec<Finding>,
 ) -> Result<Option<usize>, MeasurementError> {
     if let Some(column) = &choices.gate {
-        return sheet.place(column).map(Some);
+        return sheet.index_of(column).map(Some);
     }
-    let found = (0..sheet.channels.len()).find(|&place| sheet.channels[place].heading.is(QuantityKind::Gate));
-    if let Some(place) = found {
+    let index =
+        (0..sheet.channels.len()).find(|&column| sheet.channels[column].heading.is(QuantityKind::Gate));
+    if let Some(gate) = index {
         findings
-            .push(Finding::new(format!("{} is the state of the gate", sheet.describe(place)), Choice::Gate));
+            .push(Finding::new(format!("{} is the state of the gate", sheet.describe(gate)), Choice::Gate));
     }
-    Ok(found)
+    Ok(index)
 }
 
 /// The given unit, the one in the header, or seconds if a pendulum can have such periods.
 fn unit(
     sheet: &Sheet,
-    place: usize,
+    column: usize,
     choices: &Choices,
     findings: &mut Vec<Finding>,
 ) -> Result<Unit, MeasurementError> {
-    let heading = &sheet.channels[place].heading;
+    let heading = &sheet.channels[column].heading;
     let (unit, why) = match (choices.time_unit, heading.unit, &heading.unit_text) {
         (Some(unit), ..) => return of_time(unit),
         (None, Some(unit), _) => (of_time(unit)?, "as the header says"),
         (None, None, None) => {
-            refuse_unlikely_seconds(sheet, place)?;
+            refuse_unlikely_seconds(sheet, column)?;
             (Unit::Second, "since no unit is written")
         }
         (None, None, Some(text)) => {
@@ -303,15 +305,15 @@ fn which_unit(question: String) -> MeasurementError {
 const HALF_PERIODS: std::ops::RangeInclusive<f64> = 0.05..=60.0;
 
 /// Refuses seconds if the steps are impossible half periods: the larger half of the steps are half periods, for passages and edges alike.
-fn refuse_unlikely_seconds(sheet: &Sheet, place: usize) -> Result<(), MeasurementError> {
-    let mut times: Vec<f64> = sheet.channels[place].numbers().flatten().collect();
+fn refuse_unlikely_seconds(sheet: &Sheet, column: usize) -> Result<(), MeasurementError> {
+    let mut times: Vec<f64> = sheet.channels[column].numbers().flatten().collect();
     times.sort_by(f64::total_cmp);
     let mut steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
     steps.sort_by(f64::total_cmp);
     match steps.get(3 * steps.len() / 4) {
         Some(step) if !HALF_PERIODS.contains(step) => Err(which_unit(format!(
             "the unit of time of {} is not given, and half periods of {step} s are not likely",
-            sheet.describe(place)
+            sheet.describe(column)
         ))),
         _ => Ok(()),
     }
@@ -325,13 +327,13 @@ fn of_time(unit: Unit) -> Result<Unit, MeasurementError> {
 }
 
 /// `1`, `blocked` → blocked; `0`, `unblocked`, `open` → free.
-fn state_at(sheet: &Sheet, place: usize, row: usize) -> Result<Option<bool>, MeasurementError> {
-    match sheet.word(place, row).map(str::to_lowercase).as_deref() {
+fn state_at(sheet: &Sheet, column: usize, row: usize) -> Result<Option<bool>, MeasurementError> {
+    match sheet.word(column, row).map(str::to_lowercase).as_deref() {
         Some("blocked" | "closed" | "true" | "on") => return Ok(Some(true)),
         Some("unblocked" | "open" | "free" | "false" | "off") => return Ok(Some(false)),
         _ => {}
     }
-    match sheet.number(place, row)? {
+    match sheet.number(column, row)? {
         None => Ok(None),
         Some(1.0) => Ok(Some(true)),
         Some(0.0) => Ok(Some(false)),

@@ -45,11 +45,11 @@ impl Names {
         };
         let cells = merged(cells, &mut above);
         let groups = groups(&cells, &mut above);
-        let heading = |(place, name): (usize, &String)| {
+        let heading = |(index, name): (usize, &String)| {
             Heading::read(
                 name,
-                units.as_ref().and_then(|row| row.cells.get(place)),
-                groups.get(place).map(String::as_str),
+                units.as_ref().and_then(|row| row.cells.get(index)),
+                groups.get(index).map(String::as_str),
             )
         };
         let mut headings: Vec<Heading> = cells.iter().enumerate().map(heading).collect();
@@ -65,9 +65,9 @@ impl Names {
 /// A last line of units only, with a line of the same length above it.
 fn units_below(above: &mut Vec<TextRow>) -> Option<TextRow> {
     let [.., names, units] = &above[..] else { return None };
-    let known = |cell: &str| bare(cell).parse::<Unit>().is_ok();
-    let is_unit = |cell: &str| cell.is_empty() || known(cell) || cell.starts_with(['(', '[']);
-    let are_units = units.cells.iter().any(known) && units.cells.iter().all(is_unit);
+    let is_known_unit = |cell: &str| bare(cell).parse::<Unit>().is_ok();
+    let is_unit = |cell: &str| cell.is_empty() || is_known_unit(cell) || cell.starts_with(['(', '[']);
+    let are_units = units.cells.iter().any(is_known_unit) && units.cells.iter().all(is_unit);
     if are_units && names.filled() >= units.filled() { above.pop() } else { None }
 }
 
@@ -148,11 +148,11 @@ fn joined(cells: &[String]) -> Vec<String> {
 fn merged(names: Vec<String>, above: &mut Vec<TextRow>) -> Vec<String> {
     let titles: Vec<String> =
         above.last().map(|row| row.cells.iter().map(String::from).collect()).unwrap_or_default();
-    let title = |place: usize| titles.get(place).map_or("", String::as_str).trim();
-    let is_over_both = |place: usize| names[place].is_empty() && !title(place).is_empty();
-    let has_unit = |place: usize| Heading::read(title(place), None, None).unit.is_some();
+    let title = |index: usize| titles.get(index).map_or("", String::as_str).trim();
+    let is_over_both = |index: usize| names[index].is_empty() && !title(index).is_empty();
+    let has_unit = |index: usize| Heading::read(title(index), None, None).unit.is_some();
     // `,Trial,,` over `L (m),1,2,3`
-    let is_number = |place: usize| !title(place).is_empty() && names[place].parse::<u32>().is_ok();
+    let is_number = |index: usize| !title(index).is_empty() && names[index].parse::<u32>().is_ok();
     let is_any = |of: &dyn Fn(usize) -> bool| (0..names.len()).any(of);
     let is_merged = is_any(&is_over_both) && is_any(&has_unit) || is_any(&is_number);
     if !is_merged || titles.len() > names.len() {
@@ -160,9 +160,9 @@ fn merged(names: Vec<String>, above: &mut Vec<TextRow>) -> Vec<String> {
     }
     above.pop();
     let mut current = "";
-    let combined = |(place, name): (usize, &String)| {
-        if !title(place).is_empty() {
-            current = title(place);
+    let combined = |(index, name): (usize, &String)| {
+        if !title(index).is_empty() {
+            current = title(index);
         }
         if name.is_empty() {
             return std::mem::take(&mut current).into();
@@ -182,8 +182,8 @@ fn groups(names: &[String], above: &mut Vec<TextRow>) -> Vec<String> {
     let titles = above.pop().map(|row| row.cells).unwrap_or_default();
     let mut current = String::new();
     (0..names.len())
-        .map(|place| {
-            if let Some(title) = titles.get(place).filter(|title| !title.is_empty()) {
+        .map(|index| {
+            if let Some(title) = titles.get(index).filter(|title| !title.is_empty()) {
                 current = title.into();
             }
             current.clone()

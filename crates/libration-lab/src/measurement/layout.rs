@@ -62,8 +62,8 @@ impl TextLayout {
 }
 
 fn row_at(rows: &[TextRow], line: u64) -> Result<usize, MeasurementError> {
-    let found = rows.iter().position(|row| row.line == line);
-    found.ok_or_else(|| MeasurementError::NoSuch {
+    let index = rows.iter().position(|row| row.line == line);
+    index.ok_or_else(|| MeasurementError::NoSuch {
         what: "line of cells",
         asked: line.to_string(),
         available: format!(
@@ -99,11 +99,11 @@ impl Extent {
         // Of several that are as frequent the first.
         let length = lengths.into_iter().rev().max_by_key(|&length| count(length)).unwrap_or(0);
         if length > MOST_COLUMNS {
-            let place = "the table".to_owned();
+            let location = "the table".to_owned();
             return Err(MeasurementError::TooMany {
                 what: "columns",
                 count: length,
-                place,
+                place: location,
                 limit: MOST_COLUMNS,
             });
         }
@@ -145,9 +145,9 @@ fn refuse_numbers(
     is_header: impl Fn(&TextRow) -> bool,
 ) -> Result<(), MeasurementError> {
     let last = above.len().saturating_sub(1);
-    let is_bad = |(place, row): &(usize, &TextRow)| {
+    let is_bad = |(index, row): &(usize, &TextRow)| {
         let has_numbers = || row.numbers(mark) > 0 || all_begin_with_digits(row);
-        row.is_of_numbers(mark) || *place == last && has_numbers() && !is_header(row)
+        row.is_of_numbers(mark) || *index == last && has_numbers() && !is_header(row)
     };
     match above.iter().enumerate().find(is_bad) {
         Some((_, row)) => match row.cells.iter().find(|cell| mark.is_missed_in(cell)) {
@@ -166,7 +166,7 @@ fn is_header(row: &TextRow, above: &[TextRow], text: &str, width: usize) -> bool
     let cells = || row.cells.iter().filter(|cell| !cell.is_empty());
     let numbers: Vec<f64> = cells().filter_map(|cell| cell.parse().ok()).collect();
     let are_counted =
-        numbers.iter().zip(1_i32..).all(|(number, place)| number.total_cmp(&place.into()).is_eq());
+        numbers.iter().zip(1_i32..).all(|(number, ordinal)| number.total_cmp(&ordinal.into()).is_eq());
     let is_numbered = numbers.len() > 1 && are_counted && numbers.len() < cells().count();
     let is_ordinal = |cell: &str| {
         let rest = cell.trim_start_matches(|letter: char| letter.is_ascii_digit());
@@ -175,8 +175,8 @@ fn is_header(row: &TextRow, above: &[TextRow], text: &str, width: usize) -> bool
     };
     let above = above.iter().rev().find(|other| other.line < row.line);
     let is_over = |above: &TextRow| {
-        (0..row.cells.len()).any(|place| {
-            row.cells[place].is_empty() && above.cells.get(place).is_some_and(|cell| !cell.is_empty())
+        (0..row.cells.len()).any(|index| {
+            row.cells[index].is_empty() && above.cells.get(index).is_some_and(|cell| !cell.is_empty())
         })
     };
     let is_below = above.is_some_and(is_over) && cells().all(is_ordinal);

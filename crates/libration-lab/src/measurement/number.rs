@@ -125,7 +125,7 @@ fn with_sign<'a>(number: &'a str, uncertainty: &'a str, mark: DecimalMark) -> Op
     let (number, uncertainty, outside) = match number.strip_prefix('(') {
         Some(number) => {
             let (uncertainty, unit) = uncertainty.split_once(')')?;
-            (number, uncertainty, if unit.trim().is_empty() { None } else { Some(known(unit)?) })
+            (number, uncertainty, if unit.trim().is_empty() { None } else { Some(unit_of_value(unit)?) })
         }
         None => (number, uncertainty, None),
     };
@@ -147,7 +147,7 @@ fn with_brackets(cell: &str, mark: DecimalMark) -> Option<Written<'_>> {
     }
     let decimals = number.trim().split_once(['.', ',']).map_or(0, |(_, fraction)| fraction.len());
     let uncertainty = format!("{digits}e-{decimals}").parse().ok()?;
-    let unit = if unit.trim().is_empty() { None } else { Some(known(unit)?) };
+    let unit = if unit.trim().is_empty() { None } else { Some(unit_of_value(unit)?) };
     Some(Written { number: number.trim_end().into(), uncertainty: Some(uncertainty), unit })
 }
 
@@ -157,11 +157,11 @@ fn with_unit(text: &str, mark: DecimalMark) -> Option<(&str, Option<Unit>)> {
     let is_of_number =
         |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '−' | '.' | ',' | 'e' | 'E' | ' ');
     let (number, unit) = text.split_at(text.find(|c| !is_of_number(c)).unwrap_or(text.len()));
-    let unit = if unit.is_empty() { None } else { Some(known(unit)?) };
+    let unit = if unit.is_empty() { None } else { Some(unit_of_value(unit)?) };
     Cell::parse(number, mark).is_number().then_some((number.trim_end(), unit))
 }
 
-fn known(unit: &str) -> Option<Unit> {
+fn unit_of_value(unit: &str) -> Option<Unit> {
     unit.parse().ok().filter(|unit| !matches!(unit, Unit::Count | Unit::Pixel))
 }
 
@@ -189,6 +189,6 @@ fn plain_number(text: &str) -> Option<f64> {
 pub(super) fn decimals(number: &str) -> u16 {
     let (digits, power) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
     let after = digits.rsplit_once(['.', ',']).map_or(0, |(_, fraction)| fraction.trim_end().len());
-    let places = i64::try_from(after).unwrap_or(0) - power.parse::<i64>().unwrap_or(0);
-    u16::try_from(places.clamp(0, 300)).unwrap_or(0)
+    let decimals = i64::try_from(after).unwrap_or(0) - power.parse::<i64>().unwrap_or(0);
+    u16::try_from(decimals.clamp(0, 300)).unwrap_or(0)
 }

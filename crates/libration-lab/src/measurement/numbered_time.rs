@@ -32,15 +32,15 @@ pub(super) fn symbol(heading: &str) -> &str {
 
 /// Returns `true` if the number in the heading of this column is that of a reading: another column of the same symbol has the next one, or the one
 /// before.
-pub(super) fn is_of_reading(table: &Table, place: usize) -> bool {
+pub(super) fn is_of_reading(table: &Table, column: usize) -> bool {
     let channels = &table.sheet().channels;
-    let of = |place: usize| {
-        let heading = &channels[place].heading;
+    let of = |index: usize| {
+        let heading = &channels[index].heading;
         let symbol = words(&heading.text).first().cloned();
-        let is_value = !heading.is_uncertainty && channels[place].count() > 0;
+        let is_value = !heading.is_uncertainty && channels[index].count() > 0;
         number(&heading.text).filter(|_| is_value).zip(symbol)
     };
-    let Some((number, symbol)) = of(place) else { return false };
+    let Some((number, symbol)) = of(column) else { return false };
     let is_next = |(other, name): (f64, String)| name == symbol && ((other - number).abs() - 1.0).abs() < 0.5;
     (0..channels.len()).filter_map(of).any(is_next)
 }

@@ -11,20 +11,20 @@ const PAIRS: [(Unit, Unit, f64); 2] = [(Unit::Minute, Unit::Second, 60.0), (Unit
 impl Sheet {
     /// Adds whole minutes or feet to the seconds or inches in the next column, where all of these are less than one of those.
     pub(super) fn join_parts(&mut self) {
-        for place in 1..self.channels.len() {
-            let Some(parts) = self.parts(place) else {
-                self.remarks.extend(self.unread_part(place));
+        for column in 1..self.channels.len() {
+            let Some(parts) = self.parts(column) else {
+                self.remarks.extend(self.unread_part(column));
                 continue;
             };
             let text = format!(
                 "{} and {} are {} and {} of one quantity, and are added",
-                self.describe(place - 1),
-                self.describe(place),
+                self.describe(column - 1),
+                self.describe(column),
                 parts.units[0],
                 parts.units[1]
             );
             self.remarks.push(text);
-            let [whole, rest] = &mut self.channels[place - 1..=place] else { continue };
+            let [whole, rest] = &mut self.channels[column - 1..=column] else { continue };
             rest.cells = parts.sums;
             let name = own_name(&whole.heading);
             if own_name(&rest.heading).is_empty() && !name.is_empty() {
@@ -36,16 +36,16 @@ impl Sheet {
     }
 
     /// A remark on a column that is not added to the one before it because of a cell that is not a number.
-    fn unread_part(&self, place: usize) -> Option<String> {
-        self.factor(place)?;
-        let (_, word) = self.channels[place].words.first()?;
-        let [whole, rest] = [place - 1, place].map(|it| self.describe(it));
+    fn unread_part(&self, column: usize) -> Option<String> {
+        self.factor(column)?;
+        let (_, word) = self.channels[column].words.first()?;
+        let [whole, rest] = [column - 1, column].map(|it| self.describe(it));
         Some(format!("{rest} is not added to {whole}, since `{word}` is not read as a number"))
     }
 
     /// The number of units of a column in that of the column before it, if their headings are those of parts of one quantity.
-    fn factor(&self, place: usize) -> Option<f64> {
-        let [whole, rest] = &self.channels[place - 1..=place] else { return None };
+    fn factor(&self, column: usize) -> Option<f64> {
+        let [whole, rest] = &self.channels[column - 1..=column] else { return None };
         let units = [whole, rest].map(|channel| unit(&channel.heading));
         let (_, _, factor) = PAIRS.into_iter().find(|(one, other, _)| units == [Some(*one), Some(*other)])?;
         let names = [whole, rest].map(|channel| own_name(&channel.heading).to_lowercase());
@@ -53,9 +53,9 @@ impl Sheet {
     }
 
     /// The sums of a column and the one before it, if these are parts of one quantity.
-    fn parts(&self, place: usize) -> Option<Parts> {
-        let factor = self.factor(place)?;
-        let [whole, rest] = &self.channels[place - 1..=place] else { return None };
+    fn parts(&self, column: usize) -> Option<Parts> {
+        let factor = self.factor(column)?;
+        let [whole, rest] = &self.channels[column - 1..=column] else { return None };
         let units = [whole, rest].map(|channel| unit(&channel.heading));
         let is_part = |channel: &super::Channel| {
             !channel.heading.is_uncertainty && channel.words.is_empty() && channel.count() > 0

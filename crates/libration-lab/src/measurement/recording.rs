@@ -76,8 +76,8 @@ impl Recording {
         }
         let of_numbers =
             |sheet: &Sheet| sheet.channels.iter().filter(|channel| channel.count() > 1).count() > 1;
-        let place = self.sheets.iter().position(of_numbers).unwrap_or(0);
-        Ok((self.sheets.swap_remove(place), count))
+        let index = self.sheets.iter().position(of_numbers).unwrap_or(0);
+        Ok((self.sheets.swap_remove(index), count))
     }
 
     /// Inferences made in reading the file.
@@ -118,7 +118,7 @@ impl Recording {
     }
 
     fn sheet_named(&self, asked: &Column) -> Result<&Sheet, MeasurementError> {
-        let (found, text) = match asked {
+        let (chosen, text) = match asked {
             Column::Number(number) => (self.sheets.get(number.wrapping_sub(1)), number.to_string()),
             Column::Name(name) => {
                 let named = |sheet: &&Sheet| sheet.name.to_lowercase() == name.trim().to_lowercase();
@@ -126,7 +126,7 @@ impl Recording {
             }
         };
         let names: Vec<String> = self.sheets.iter().map(|sheet| format!("`{}`", sheet.name)).collect();
-        found.ok_or_else(|| MeasurementError::NoSuch {
+        chosen.ok_or_else(|| MeasurementError::NoSuch {
             what: "sheet",
             asked: text,
             available: names.join(", "),
@@ -181,8 +181,8 @@ fn transposed_sheet(
     dialect: Dialect,
     options: &ReadOptions,
 ) -> Option<Result<Sheet, MeasurementError>> {
-    let found = (options.header == Header::Detect).then(|| transposed::exchanged(text, dialect));
-    let (text, dialect) = found.flatten()?;
+    let exchanged = (options.header == Header::Detect).then(|| transposed::exchanged(text, dialect));
+    let (text, dialect) = exchanged.flatten()?;
     let sheet = Sheet::read(&page.name, &text, dialect, options);
     Some(sheet.map(Sheet::with_rows_of_columns))
 }

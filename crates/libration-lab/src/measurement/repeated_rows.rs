@@ -56,19 +56,19 @@ impl Readings {
         let is_copy = |row: &usize| passages.iter().any(|(copy, _)| copy.contains(row));
         let kept: Vec<usize> = (0..rows).filter(|row| !is_copy(row)).collect();
         let ends = |rows: &Range<usize>| [self.lines[rows.start], self.lines[rows.end - 1]];
-        let found = passages
+        let repeated = passages
             .iter()
             .map(|(copy, of)| RepeatedRows::Passage { lines: ends(copy), of: ends(of) })
             .collect();
-        (self.only(&kept), found)
+        (self.only(&kept), repeated)
     }
 
     fn key(&self, row: usize, labels: Option<&[String]>) -> RowKey {
         let bits = |numbers: &Vec<f64>| numbers.iter().map(|number| number.to_bits()).collect::<Vec<_>>();
-        let own = |of: &Option<Vec<f64>>| of.iter().map(|of| of[row].to_bits()).collect();
+        let bits_of = |of: &Option<Vec<f64>>| of.iter().map(|of| of[row].to_bits()).collect();
         RowKey {
             numbers: self.quantities.iter().map(|of| bits(&of[row])).collect(),
-            uncertainties: self.uncertainties.iter().map(own).collect(),
+            uncertainties: self.uncertainties.iter().map(bits_of).collect(),
             label: labels.and_then(|labels| labels.get(row).cloned()),
         }
     }
@@ -122,16 +122,16 @@ fn times_of_each(keys: &[RowKey]) -> Option<usize> {
 /// Passages that repeat earlier ones, from their first occurrence on.
 fn passages(keys: &[RowKey]) -> Vec<(Range<usize>, Range<usize>)> {
     let mut first: HashMap<&RowKey, usize> = HashMap::new();
-    let (mut found, mut row) = (vec![], 0);
+    let (mut passages, mut row) = (vec![], 0);
     while row < keys.len() {
         let of = *first.entry(&keys[row]).or_insert(row);
         let rows = keys[of..row].iter().zip(&keys[row..]).take_while(|(one, other)| one == other).count();
         if values(&keys[row..row + rows]) >= FEWEST_VALUES {
-            found.push((row..row + rows, of..of + rows));
+            passages.push((row..row + rows, of..of + rows));
             row += rows;
         } else {
             row += 1;
         }
     }
-    found
+    passages
 }

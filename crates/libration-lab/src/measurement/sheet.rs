@@ -168,15 +168,15 @@ impl Sheet {
 
     /// Converts the numbers of each column whose cells have units to the unit of its header, or of its first cell.
     fn take_units(&mut self, units: &CellUnits) -> Result<(), MeasurementError> {
-        for place in 0..self.channels.len() {
-            let Some(first) = units.first(place) else { continue };
-            let column = self.describe(place);
-            let channel = &mut self.channels[place];
+        for index in 0..self.channels.len() {
+            let Some(first) = units.first(index) else { continue };
+            let column = self.describe(index);
+            let channel = &mut self.channels[index];
             let stated = channel.heading.unit;
             let unit = stated.unwrap_or(first);
             units
-                .bring(place, &mut channel.cells, &mut channel.uncertainties, unit, stated.is_some())
-                .map_err(|found| MeasurementError::MixedUnits { column, found })?;
+                .bring(index, &mut channel.cells, &mut channel.uncertainties, unit, stated.is_some())
+                .map_err(|mixed| MeasurementError::MixedUnits { column, found: mixed })?;
             channel.heading.set_unit(unit);
         }
         Ok(())
@@ -185,8 +185,8 @@ impl Sheet {
     /// Gives columns without a name that of the column before them, where merged cells named both: all rows have values within a factor of each other.
     pub(super) fn repeat_headings(&mut self) {
         const ALIKE: f64 = 1.1;
-        for place in 1..self.channels.len() {
-            let [before, channel] = [&self.channels[place - 1], &self.channels[place]];
+        for index in 1..self.channels.len() {
+            let [before, channel] = [&self.channels[index - 1], &self.channels[index]];
             let pairs: Vec<_> = before
                 .numbers()
                 .zip(channel.numbers())
@@ -198,7 +198,7 @@ impl Sheet {
                 && pairs.len() > 1
                 && are_alike
             {
-                self.channels[place].heading = self.channels[place - 1].heading.clone();
+                self.channels[index].heading = self.channels[index - 1].heading.clone();
             }
         }
     }
@@ -206,10 +206,10 @@ impl Sheet {
     fn push(&mut self, row: &TextRow) -> Result<(), MeasurementError> {
         let (width, filled) = (self.channels.len(), row.filled());
         if filled > width || row.cells.len() < width {
-            let found = if filled > width { filled } else { row.cells.len() };
-            return Err(MeasurementError::Ragged { line: row.line, found, expected: width });
+            let cells = if filled > width { filled } else { row.cells.len() };
+            return Err(MeasurementError::Ragged { line: row.line, found: cells, expected: width });
         }
-        let place = self.lines.len();
+        let row_index = self.lines.len();
         self.lines.push(row.line);
         for (column, (channel, text)) in self.channels.iter_mut().zip(&row.cells).enumerate() {
             if text.contains('\n') {
@@ -217,7 +217,7 @@ impl Sheet {
             }
             let cell = Cell::parse(text, self.dialect.mark);
             if cell == Cell::Text {
-                channel.words.push((place, excerpt(text)));
+                channel.words.push((row_index, excerpt(text)));
             }
             if cell.is_number() {
                 channel.decimals = channel.decimals.max(decimals(text));
@@ -246,19 +246,19 @@ impl Sheet {
     ///
     /// # Errors
     /// No such column, or a name that several bear.
-    pub fn place(&self, column: &Column) -> Result<usize, MeasurementError> {
+    pub fn index_of(&self, column: &Column) -> Result<usize, MeasurementError> {
         match column {
             Column::Number(number) if (1..=self.channels.len()).contains(number) => Ok(number - 1),
             Column::Number(number) => Err(self.no_such_column(&number.to_string())),
-            Column::Name(name) => self.place_of_name(name),
+            Column::Name(name) => self.index_of_name(name),
         }
     }
 
-    fn place_of_name(&self, name: &str) -> Result<usize, MeasurementError> {
-        let bears = |place: &usize| self.channels[*place].heading.is_named(name);
-        let mut places = (0..self.channels.len()).filter(bears);
-        match (places.next(), places.next()) {
-            (Some(place), None) => Ok(place),
+    fn index_of_name(&self, name: &str) -> Result<usize, MeasurementError> {
+        let bears = |index: &usize| self.channels[*index].heading.is_named(name);
+        let mut matches = (0..self.channels.len()).filter(bears);
+        match (matches.next(), matches.next()) {
+            (Some(index), None) => Ok(index),
             (Some(_), Some(_)) => Err(MeasurementError::AmbiguousColumn(excerpt(name))),
             _ => Err(self.no_such_column(name)),
         }
@@ -282,35 +282,35 @@ impl Sheet {
     }
 
     /// `column 2 ("Angle")`, as messages name it.
-    pub(super) fn describe(&self, place: usize) -> String {
-        let text = &self.channels[place].heading.text;
+    pub(super) fn describe(&self, index: usize) -> String {
+        let text = &self.channels[index].heading.text;
         if text.is_empty() {
-            format!("column {}", place + 1)
+            format!("column {}", index + 1)
         } else {
-            format!("column {} (`{}`)", place + 1, excerpt(text))
+            format!("column {} (`{}`)", index + 1, excerpt(text))
         }
     }
 
     /// The number in a cell; `None` if it is missing.
-    pub(super) fn number(&self, place: usize, row: usize) -> Result<Option<f64>, MeasurementError> {
-        match self.channels[place].cells[row] {
+    pub(super) fn number(&self, index: usize, row: usize) -> Result<Option<f64>, MeasurementError> {
+        match self.channels[index].cells[row] {
             Cell::Number(number) => Ok(Some(number)),
             Cell::Missing => Ok(None),
-            Cell::Text => Err(self.not_a_number(place, row)),
+            Cell::Text => Err(self.not_a_number(index, row)),
         }
     }
 
     /// Text of a cell that is not a number.
-    pub(super) fn word(&self, place: usize, row: usize) -> Option<&str> {
-        let words = &self.channels[place].words;
+    pub(super) fn word(&self, index: usize, row: usize) -> Option<&str> {
+        let words = &self.channels[index].words;
         words.binary_search_by_key(&row, |(row, _)| *row).ok().map(|at| words[at].1.as_str())
     }
 
-    fn not_a_number(&self, place: usize, row: usize) -> MeasurementError {
-        let (line, column) = (self.lines[row], place + 1);
-        let cell = self.word(place, row).unwrap_or_default().to_owned();
+    fn not_a_number(&self, index: usize, row: usize) -> MeasurementError {
+        let (line, column) = (self.lines[row], index + 1);
+        let cell = self.word(index, row).unwrap_or_default().to_owned();
         let mark = self.dialect.mark;
-        let words = self.channels[place].words.iter();
+        let words = self.channels[index].words.iter();
         let others: Vec<u64> =
             words.filter(|(_, word)| mark.is_missed_in(word)).map(|(row, _)| self.lines[*row]).collect();
         match () {

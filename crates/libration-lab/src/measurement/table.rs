@@ -154,8 +154,8 @@ impl Table {
     ///
     /// # Errors
     /// No such column, or a name that several bear.
-    pub fn place(&self, column: &Column) -> Result<usize, MeasurementError> {
-        self.sheet.place(column)
+    pub fn index_of(&self, column: &Column) -> Result<usize, MeasurementError> {
+        self.sheet.index_of(column)
     }
 
     pub(super) fn sheet(&self) -> &Sheet {
@@ -192,12 +192,12 @@ impl Table {
     /// # Errors
     /// No such column, a name that several columns bear, a cell that is text, no complete row.
     pub fn select(&self, columns: &[Column]) -> Result<Selection, MeasurementError> {
-        let places: Vec<usize> =
-            columns.iter().map(|column| self.sheet.place(column)).collect::<Result<_, _>>()?;
+        let indices: Vec<usize> =
+            columns.iter().map(|column| self.sheet.index_of(column)).collect::<Result<_, _>>()?;
         let mut selection =
-            Selection { columns: vec![Vec::new(); places.len()], lines: Vec::new(), dropped: 0 };
+            Selection { columns: vec![Vec::new(); indices.len()], lines: Vec::new(), dropped: 0 };
         for row in self.rows() {
-            match self.numbers(row, &places)? {
+            match self.numbers(row, &indices)? {
                 Some(numbers) => selection.push(self.sheet.lines[row], &numbers),
                 None => selection.dropped += 1,
             }
@@ -214,35 +214,37 @@ impl Table {
     /// # Errors
     /// Those of [`select`](Self::select).
     pub fn readings(&self, quantities: &[Vec<Column>]) -> Result<Readings, MeasurementError> {
-        let places = |columns: &Vec<Column>| columns.iter().map(|column| self.sheet.place(column)).collect();
-        let places: Vec<Vec<usize>> = quantities.iter().map(places).collect::<Result<_, _>>()?;
-        let mut found = Readings {
-            quantities: vec![vec![]; places.len()],
-            uncertainties: vec![Some(vec![]); places.len()],
+        let indices_of =
+            |columns: &Vec<Column>| columns.iter().map(|column| self.sheet.index_of(column)).collect();
+        let indices: Vec<Vec<usize>> = quantities.iter().map(indices_of).collect::<Result<_, _>>()?;
+        let mut readings = Readings {
+            quantities: vec![vec![]; indices.len()],
+            uncertainties: vec![Some(vec![]); indices.len()],
             lines: vec![],
             rows: vec![],
             dropped: 0,
         };
         for row in self.rows() {
             let of_row: Vec<Vec<f64>> =
-                places.iter().map(|columns| self.present(row, columns)).collect::<Result<_, _>>()?;
-            if of_row.iter().zip(&places).any(|(numbers, columns)| numbers.is_empty() && !columns.is_empty())
+                indices.iter().map(|columns| self.present(row, columns)).collect::<Result<_, _>>()?;
+            if of_row.iter().zip(&indices).any(|(numbers, columns)| numbers.is_empty() && !columns.is_empty())
             {
-                found.dropped += 1;
+                readings.dropped += 1;
                 continue;
             }
-            found.push(self.sheet.lines[row], row, of_row);
-            for (uncertainties, columns) in found.uncertainties.iter_mut().zip(&places) {
-                let own = columns.first().and_then(|&place| self.sheet.channels[place].uncertainties[row]);
-                match (uncertainties.as_mut(), own) {
-                    (Some(known), Some(own)) if columns.len() == 1 => known.push(own),
+            readings.push(self.sheet.lines[row], row, of_row);
+            for (uncertainties, columns) in readings.uncertainties.iter_mut().zip(&indices) {
+                let measured =
+                    columns.first().and_then(|&column| self.sheet.channels[column].uncertainties[row]);
+                match (uncertainties.as_mut(), measured) {
+                    (Some(column), Some(uncertainty)) if columns.len() == 1 => column.push(uncertainty),
                     _ => *uncertainties = None,
                 }
             }
         }
-        match found.lines.is_empty() {
+        match readings.lines.is_empty() {
             true => Err(MeasurementError::NothingComplete(self.sheet.rows())),
-            false => Ok(found),
+            false => Ok(readings),
         }
     }
 
@@ -251,7 +253,7 @@ impl Table {
     /// # Errors
     /// No such column.
     pub fn labels(&self, column: &Column, rows: &[usize]) -> Result<Vec<String>, MeasurementError> {
-        let channel = &self.sheet.channels[self.sheet.place(column)?];
+        let channel = &self.sheet.channels[self.sheet.index_of(column)?];
         Ok(rows.iter().map(|&row| channel.label(row).unwrap_or_default()).collect())
     }
 
@@ -260,7 +262,7 @@ impl Table {
     /// # Errors
     /// No such column.
     pub fn step(&self, column: &Column) -> Result<f64, MeasurementError> {
-        let channel = &self.sheet.channels[self.sheet.place(column)?];
+        let channel = &self.sheet.channels[self.sheet.index_of(column)?];
         Ok(libm::exp10(-f64::from(channel.decimals)))
     }
 
@@ -269,7 +271,7 @@ impl Table {
     /// # Errors
     /// No such column.
     pub fn stated_uncertainty(&self, column: &Column) -> Result<Option<StatedUncertainty>, MeasurementError> {
-        Ok(self.sheet.channels[self.sheet.place(column)?].heading.stated_uncertainty)
+        Ok(self.sheet.channels[self.sheet.index_of(column)?].heading.stated_uncertainty)
     }
 
     /// The fraction of another quantity to which 1 corresponds in a column of relative uncertainties: 0.01 for `u(T) in %`; `None` for other
@@ -278,10 +280,10 @@ impl Table {
     /// # Errors
     /// No such column; relative uncertainties without a sign of their unit.
     pub fn fraction(&self, column: &Column) -> Result<Option<f64>, MeasurementError> {
-        let place = self.sheet.place(column)?;
-        let heading = &self.sheet.channels[place].heading;
+        let index = self.sheet.index_of(column)?;
+        let heading = &self.sheet.channels[index].heading;
         if heading.is_relative_without_unit() {
-            return Err(MeasurementError::RelativeWithoutUnit { place: self.sheet.describe(place) });
+            return Err(MeasurementError::RelativeWithoutUnit { place: self.sheet.describe(index) });
         }
         Ok(heading.fraction())
     }
@@ -310,7 +312,7 @@ impl Table {
             let word = word.split('(').next().unwrap_or_default();
             word.trim().trim_end_matches([':', '=', '.']).trim().to_lowercase()
         };
-        let words = |row: usize| (0..self.width()).filter_map(move |place| self.sheet.word(place, row));
+        let words = |row: usize| (0..self.width()).filter_map(move |column| self.sheet.word(column, row));
         let has = |bound: &str| (0..self.sheet.rows()).any(|row| words(row).any(|word| plain(word) == bound));
         let is_of_summary = |word: &&str| {
             let word = plain(word);
@@ -324,12 +326,12 @@ impl Table {
                 || BOUNDS.contains(&word.as_str()) && BOUNDS.iter().all(|bound| has(bound))
         };
         // `g = ` where other rows have numbers.
-        let is_label = |place: &usize| {
-            let mostly_numbers = 2 * self.sheet.channels[*place].count() > self.sheet.rows();
+        let is_label = |column: &usize| {
+            let mostly_numbers = 2 * self.sheet.channels[*column].count() > self.sheet.rows();
             mostly_numbers
-                && self.sheet.word(*place, row).is_some_and(|word| word.trim().ends_with(['=', ':']))
+                && self.sheet.word(*column, row).is_some_and(|word| word.trim().ends_with(['=', ':']))
         };
-        let label = || (0..self.width()).find(is_label).and_then(|place| self.sheet.word(place, row));
+        let label = || (0..self.width()).find(is_label).and_then(|column| self.sheet.word(column, row));
         words(row).rfind(is_of_summary).or_else(label)
     }
 
@@ -339,16 +341,16 @@ impl Table {
     }
 
     /// The numbers in these columns of a row, without missing ones.
-    fn present(&self, row: usize, places: &[usize]) -> Result<Vec<f64>, MeasurementError> {
+    fn present(&self, row: usize, columns: &[usize]) -> Result<Vec<f64>, MeasurementError> {
         let numbers: Vec<Option<f64>> =
-            places.iter().map(|&place| self.sheet.number(place, row)).collect::<Result<_, _>>()?;
+            columns.iter().map(|&column| self.sheet.number(column, row)).collect::<Result<_, _>>()?;
         Ok(numbers.into_iter().flatten().collect())
     }
 
     /// The numbers of a row; `None` if one of them is missing.
-    fn numbers(&self, row: usize, places: &[usize]) -> Result<Option<Vec<f64>>, MeasurementError> {
+    fn numbers(&self, row: usize, columns: &[usize]) -> Result<Option<Vec<f64>>, MeasurementError> {
         let numbers: Vec<Option<f64>> =
-            places.iter().map(|&place| self.sheet.number(place, row)).collect::<Result<_, _>>()?;
+            columns.iter().map(|&column| self.sheet.number(column, row)).collect::<Result<_, _>>()?;
         Ok(numbers.into_iter().collect())
     }
 }

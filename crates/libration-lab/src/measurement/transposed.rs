@@ -38,8 +38,8 @@ pub(super) fn exchanged(text: &str, dialect: Dialect) -> Option<(String, Dialect
     if rows.iter().filter(says).count() < 2 && !rows.iter().any(has_unit) {
         return None;
     }
-    let column = |place: usize| {
-        let cells: Vec<&str> = rows.iter().map(|row| row.cells.get(place).unwrap_or_default()).collect();
+    let column = |index: usize| {
+        let cells: Vec<&str> = rows.iter().map(|row| row.cells.get(index).unwrap_or_default()).collect();
         cells.join("\t")
     };
     let lines: Vec<String> = (0..width).map(column).collect();

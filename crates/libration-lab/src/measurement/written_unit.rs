@@ -21,11 +21,11 @@ impl Table {
     /// # Ok::<(), libration_lab::measurement::MeasurementError>(())
     /// ```
     pub fn unit(&self, column: &Column, role: Role) -> Result<WrittenUnit, MeasurementError> {
-        let (sheet, place) = (self.sheet(), self.sheet().place(column)?);
-        let heading = &sheet.channels[place].heading;
+        let (sheet, index) = (self.sheet(), self.sheet().index_of(column)?);
+        let heading = &sheet.channels[index].heading;
         match role.contradicted_by(heading) {
-            _ if heading.is_uncertainty => Err(holds_other(sheet, place, "uncertainties", role)),
-            Some(other) => Err(holds_other(sheet, place, other, role)),
+            _ if heading.is_uncertainty => Err(holds_other(sheet, index, "uncertainties", role)),
+            Some(other) => Err(holds_other(sheet, index, other, role)),
             None => Ok(role.unit_written_in(heading)),
         }
     }
@@ -35,10 +35,10 @@ impl Table {
     /// # Errors
     /// No such column; a unit of something else.
     pub fn unit_of_chosen(&self, column: &Column, role: Role) -> Result<WrittenUnit, MeasurementError> {
-        let (sheet, place) = (self.sheet(), self.sheet().place(column)?);
-        let heading = &sheet.channels[place].heading;
+        let (sheet, index) = (self.sheet(), self.sheet().index_of(column)?);
+        let heading = &sheet.channels[index].heading;
         match role.contradicted_by_unit(heading) {
-            Some(other) => Err(holds_other(sheet, place, other, role)),
+            Some(other) => Err(holds_other(sheet, index, other, role)),
             None => Ok(role.unit_written_in(heading)),
         }
     }
@@ -46,18 +46,18 @@ impl Table {
     /// Returns `true` if the heading of a column says angles, and not a deflection, which may be a length.
     #[must_use]
     pub fn names_angles(&self, column: &Column) -> bool {
-        let heading = |place: usize| &self.sheet().channels[place].heading;
+        let heading = |index: usize| &self.sheet().channels[index].heading;
         let is_angle = |name: &str| !["auslenkung", "deflection"].contains(&name.to_lowercase().as_str());
         self.sheet()
-            .place(column)
-            .is_ok_and(|place| heading(place).is(QuantityKind::Angle) && is_angle(&heading(place).name))
+            .index_of(column)
+            .is_ok_and(|index| heading(index).is(QuantityKind::Angle) && is_angle(&heading(index).name))
     }
 
     /// Returns `true` if the name of a column says lengths of a pendulum, whatever its unit is: `L`, `string length`.
     #[must_use]
     pub fn names_lengths(&self, column: &Column) -> bool {
-        let place = self.sheet().place(column);
-        place.is_ok_and(|place| is_name_of_length(&self.sheet().channels[place].heading.name))
+        let position = self.sheet().index_of(column);
+        position.is_ok_and(|index| is_name_of_length(&self.sheet().channels[index].heading.name))
     }
 
     /// `` column 2 (`Angle`) ``, as messages name it.
@@ -65,10 +65,10 @@ impl Table {
     /// # Errors
     /// No such column.
     pub fn describe(&self, column: &Column) -> Result<String, MeasurementError> {
-        self.sheet().place(column).map(|place| self.sheet().describe(place))
+        self.sheet().index_of(column).map(|index| self.sheet().describe(index))
     }
 }
 
-fn holds_other(sheet: &Sheet, place: usize, found: &'static str, role: Role) -> MeasurementError {
-    MeasurementError::HoldsOther { column: sheet.describe(place), found, expected: role }
+fn holds_other(sheet: &Sheet, column: usize, content: &'static str, role: Role) -> MeasurementError {
+    MeasurementError::HoldsOther { column: sheet.describe(column), found: content, expected: role }
 }

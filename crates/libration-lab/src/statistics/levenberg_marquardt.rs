@@ -122,8 +122,8 @@ where
 
     fn set_params(&mut self, parameters: &DVector<f64>) {
         self.parameters.copy_from(parameters);
-        if let Some((known, linearised)) = &*self.accepted.borrow()
-            && known == parameters
+        if let Some((parameters_then, linearised)) = &*self.accepted.borrow()
+            && parameters_then == parameters
         {
             self.linearised = linearised.clone();
             return;

@@ -124,7 +124,7 @@ fn a_pivot_goes_with_the_rows_of_its_trace() {
     let every_third = trace.only(|row| row % 3 == 1).unwrap();
     let [whole, part] = [&trace, &every_third].map(|trace| trace.fitted_pivot().unwrap());
     assert_eq!(part.derivatives.len(), every_third.len());
-    assert_eq!((part.derivatives[5], part.place), (whole.derivatives[16], whole.place));
+    assert_eq!((part.derivatives[5], part.position), (whole.derivatives[16], whole.position));
     assert_eq!(trace.clone().named("other").fitted_pivot(), Some(whole));
     let too_short = FittedPivot { derivatives: vec![], ..whole.clone() };
     assert_eq!(trace.clone().with_fitted_pivot(too_short), Err(TraceError::Lengths(vec![trace.len(), 0])));
@@ -151,7 +151,7 @@ fn about_a_drawn_pivot(swing: &Trace, random: &mut Random) -> Trace {
     });
     let [xx, yy] = PIVOT.map(|deviation| deviation * deviation);
     let pivot = FittedPivot {
-        place: [right, up],
+        position: [right, up],
         covariance: [[xx, 0.0], [0.0, yy]],
         derivatives: derivatives.collect(),
         contradicted_by: None,

@@ -35,11 +35,11 @@ pub(super) fn repetitions(equation: &Equation, frequency: &Expression, times: i3
         return 1;
     }
     let repeats = |n: i32| trials.hold(|ring, period| ring.over_integer(period, u64::try_from(n).ok()?));
-    PRIMES.iter().fold(1, |mut found, prime| {
-        while found <= i32::MAX / prime && repeats(found * prime) {
-            found *= prime;
+    PRIMES.iter().fold(1, |mut repetitions_so_far, prime| {
+        while repetitions_so_far <= i32::MAX / prime && repeats(repetitions_so_far * prime) {
+            repetitions_so_far *= prime;
         }
-        found
+        repetitions_so_far
     })
 }
 
@@ -68,8 +68,8 @@ impl RationalTrials {
 
     /// Returns `true` if the values repeat after a time, a function of the common period, at all places that have values, of which there must be one.
     fn hold(&self, shift: impl Fn(Floats, &BigFloat) -> Option<BigFloat>) -> bool {
-        let holds = |place: u32| {
-            let mut outcomes = BITS.iter().map(|&precision| self.holds(Floats { precision }, place, &shift));
+        let holds = |sample: u32| {
+            let mut outcomes = BITS.iter().map(|&precision| self.holds(Floats { precision }, sample, &shift));
             outcomes.find(|outcome| *outcome != Some(true)).unwrap_or(Some(true))
         };
         let mut outcomes = (0..PLACES).filter_map(holds).peekable();
@@ -90,16 +90,16 @@ impl RationalTrials {
         };
         let mut inputs: Vec<BigFloat> = (2..self.symbols + 2).map(drawn).collect::<Option<_>>()?;
         inputs.push(drawn(1)?);
-        let (own, _) = self.values(ring, &inputs)?;
+        let (values, _) = self.values(ring, &inputs)?;
         let turn = ring.times_integer(&BigFloat::pi(bits), 2 * i64::from(self.times));
-        let period = ring.divide(&turn, &own[0])?;
+        let period = ring.divide(&turn, &values[0])?;
         let time = inputs.pop()?;
         inputs.push(ring.add(&time, &shift(ring, &period)?));
         let (later, largest) = self.values(ring, &inputs)?;
         let differs = |(a, b): (&BigFloat, &BigFloat)| {
             ring.subtract(a, b).exponent().is_some_and(|exponent| exponent > largest - same)
         };
-        Some(!own.iter().zip(&later).any(differs))
+        Some(!values.iter().zip(&later).any(differs))
     }
 
     /// The values of the functions, and the largest exponent of two on the tape.

@@ -129,9 +129,9 @@ pub enum SectionError {
 /// let start = Moment { time: 0.0, state: vec![1.0, 0.0] };
 /// let stroboscope = Section::Stroboscope { period: None, phase: 0.0 };
 /// let points = Points { skipped: 200, recorded: 2 };
-/// let found = compute_section(&duffing, &start, &stroboscope, points, &Effort::to_tolerance(1e-12), &Quiet)?;
+/// let section = compute_section(&duffing, &start, &stroboscope, points, &Effort::to_tolerance(1e-12), &Quiet)?;
 /// // The motion has the period of its drive.
-/// assert!((found.points[0].state[0] - found.points[1].state[0]).abs() < 1e-9);
+/// assert!((section.points[0].state[0] - section.points[1].state[0]).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn compute_section(
@@ -215,28 +215,28 @@ fn crossings(
     const STEPS: usize = 2000;
     const QUIET: usize = 200;
     let stretch = Effort { most_steps: STEPS.min(effort.most_steps), ..*effort };
-    let (mut at, mut found, mut quiet, mut horizon) = (start.clone(), vec![], 0, NEAREST);
+    let (mut at, mut crossings_so_far, mut quiet, mut horizon) = (start.clone(), vec![], 0, NEAREST);
     let stopped = loop {
-        let taken = found.len();
+        let taken = crossings_so_far.len();
         let outcome =
             integrate_from(system, &Start::State(at.clone()), &[at.time + horizon], &stretch, |step| {
-                found.extend(surface.crossings_in(step));
-                watch.flow_at(found.len().saturating_sub(points.skipped).min(points.recorded))
+                crossings_so_far.extend(surface.crossings_in(step));
+                watch.flow_at(crossings_so_far.len().saturating_sub(points.skipped).min(points.recorded))
             });
         let (solution, cause) = as_far_as_it_came(outcome)?;
-        quiet = if found.len() > taken { 0 } else { quiet + 1 };
+        quiet = if crossings_so_far.len() > taken { 0 } else { quiet + 1 };
         // A motion that is where it was before these steps, bit by bit, is at rest.
         let is_over = is_autonomous && quiet > 0 && solution.end.state == at.state;
         at = solution.end;
         match cause {
-            _ if found.len() >= points.skipped + points.recorded => break None,
+            _ if crossings_so_far.len() >= points.skipped + points.recorded => break None,
             None if horizon < NEVER => horizon *= FARTHER,
             Some(Cause::StepLimit) if quiet < QUIET && !is_over => {}
-            Some(Cause::StepLimit | Cause::OutOfRange) | None => break Some(no_more(&found)),
+            Some(Cause::StepLimit | Cause::OutOfRange) | None => break Some(no_more(&crossings_so_far)),
             Some(cause) => break Some(SectionEnding::Stopped(cause)),
         }
     };
-    let points = found.into_iter().skip(points.skipped).take(points.recorded).collect();
+    let points = crossings_so_far.into_iter().skip(points.skipped).take(points.recorded).collect();
     Ok(PoincareSection { points, stopped })
 }
 

@@ -150,11 +150,11 @@ fn planes(equation: &Equation) -> bool {
     if StateLayout::new(equation).numbers() <= 2 && !occurs(equation, &time) {
         return true;
     }
-    let own = |(name, formula): (&String, &Expression)| {
+    let is_alone = |(name, formula): (&String, &Expression)| {
         let mut symbols = formula.symbols().into_iter();
         symbols.all(|symbol| symbol.name == *name)
     };
-    equation.variables().iter().zip(equation.derivatives()).all(own)
+    equation.variables().iter().zip(equation.derivatives()).all(is_alone)
 }
 
 fn state_symbols(equation: &Equation) -> Vec<Symbol> {

@@ -42,18 +42,18 @@ impl Surface {
 
     /// The crossings that are established in a step.
     pub(super) fn crossings_in(&mut self, accepted: &AcceptedStep<'_>) -> Vec<Moment> {
-        let (step, mut from, mut found) = (accepted.step(), accepted.step().start(), vec![]);
+        let (step, mut from, mut crossings) = (accepted.step(), accepted.step().start(), vec![]);
         let goes_through = |contact| matches!(contact, Contact::Rising | Contact::Falling);
         for event in accepted.events().iter().filter(|event| goes_through(event.contact)) {
-            found.extend(self.established_at(step, 0.5 * (from + event.time)));
+            crossings.extend(self.established_at(step, 0.5 * (from + event.time)));
             self.open = Some(Moment { time: event.time, state: event.state.clone() });
             from = event.time;
         }
         for time in [0.5 * (from + step.end()), step.end()] {
-            found.extend(self.established_at(step, time));
+            crossings.extend(self.established_at(step, time));
         }
         self.steps += 1.0;
-        found
+        crossings
     }
 
     /// The last zero, if the formula has the other sign since then and exceeds its error at this time.

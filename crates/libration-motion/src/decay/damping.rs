@@ -63,8 +63,8 @@ impl Damping {
 
     /// The coefficient of a power; zero if the power does not occur.
     pub(super) fn coefficient_of(&self, exponent: f64) -> f64 {
-        let own = self.terms.iter().find(|term| term.exponent.total_cmp(&exponent).is_eq());
-        own.map_or(0.0, |term| term.coefficient)
+        let of_power = self.terms.iter().find(|term| term.exponent.total_cmp(&exponent).is_eq());
+        of_power.map_or(0.0, |term| term.coefficient)
     }
 
     /// The deceleration at a nonnegative velocity.

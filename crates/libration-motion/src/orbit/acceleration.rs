@@ -47,7 +47,7 @@ impl Acceleration {
     pub(super) fn is_smooth(&self) -> bool {
         let kink = |operation: &Operation| matches!(operation, Operation::Abs(_) | Operation::Sign(_));
         let operations = self.tape.operations().iter().enumerate();
-        !operations.into_iter().any(|(place, operation)| kink(operation) && !self.tape.is_constant(place))
+        !operations.into_iter().any(|(slot, operation)| kink(operation) && !self.tape.is_constant(slot))
     }
 
     /// The acceleration at a state; NaN if it has no value.
@@ -102,16 +102,17 @@ impl Acceleration {
         if self.changes_branch(&above, &below) {
             return Some(0.0);
         }
-        let own = BigFloat::from_f64(self.at(state), PRECISION)?;
-        Some((above.result(0)[0].clone() - own).to_f64().abs())
+        let value = BigFloat::from_f64(self.at(state), PRECISION)?;
+        Some((above.result(0)[0].clone() - value).to_f64().abs())
     }
 
     /// The change of the acceleration in double precision by a unit in the last place of the position and by rounding, where
     /// numbers of many bits have no value, as an exponential of a million; infinite if a value is missing.
     fn noise(&self, state: &[f64]) -> f64 {
-        let own = self.at(state);
-        let change = |units: f64| (self.at(&[state[0] * (1.0 + units * f64::EPSILON), state[1]]) - own).abs();
-        let noise = f64::EPSILON * own.abs() + change(1.0) + change(-1.0);
+        let value = self.at(state);
+        let change =
+            |units: f64| (self.at(&[state[0] * (1.0 + units * f64::EPSILON), state[1]]) - value).abs();
+        let noise = f64::EPSILON * value.abs() + change(1.0) + change(-1.0);
         if noise.is_finite() { noise } else { f64::INFINITY }
     }
 

@@ -137,12 +137,12 @@ impl Round {
         let pace = TAU / start.period;
         let least = |number: usize| {
             let coordinate = layout.driving(number).unwrap_or(number);
-            let place = LEAST_SIZE * start.state[coordinate].abs();
-            if layout.is_velocity(number) { place * pace } else { place }
+            let size = LEAST_SIZE * start.state[coordinate].abs();
+            if layout.is_velocity(number) { size * pace } else { size }
         };
         let ranges = self.ranges(layout.numbers());
-        let (places, velocities) = ranges.split_at(layout.coordinates());
-        let kinds = [(0, places), (layout.coordinates(), velocities)].into_iter();
+        let (displacements, velocities) = ranges.split_at(layout.coordinates());
+        let kinds = [(0, displacements), (layout.coordinates(), velocities)].into_iter();
         let sizes = kinds.flat_map(|(first, ranges)| {
             let largest = ranges.iter().copied().fold(0.0, f64::max);
             // A coordinate that hardly moves, or by rounding alone, has no size of its own.

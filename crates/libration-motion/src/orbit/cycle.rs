@@ -101,9 +101,9 @@ fn cycle_unless(
         finished(outcome, watch)
     };
     let [first, closer @ ..] = RETURNED;
-    let found = at_return(first)?;
-    if found.0 != OrbitKind::Passed {
-        return Ok(found);
+    let outcome = at_return(first)?;
+    if outcome.0 != OrbitKind::Passed {
+        return Ok(outcome);
     }
     for returned in closer {
         match at_return(returned) {
@@ -113,7 +113,7 @@ fn cycle_unless(
             settled => return settled,
         }
     }
-    Ok(found)
+    Ok(outcome)
 }
 
 /// The cycle where the motion first returns within a difference; an unstable cycle is one that it passes.
@@ -356,8 +356,8 @@ impl Maxima {
     }
 
     fn widen(&mut self, state: &[f64]) {
-        let place = state[self.coordinate];
-        self.range = (self.range.0.min(place), self.range.1.max(place));
+        let coordinate = state[self.coordinate];
+        self.range = (self.range.0.min(coordinate), self.range.1.max(coordinate));
         let Some(last) = self.found.last() else { return };
         for ((moved, now), then) in self.moved.iter_mut().zip(state).zip(&last.state) {
             *moved = moved.max((now - then).abs());

@@ -58,8 +58,8 @@ impl Orbit {
             let largest = all.iter().skip(1).map(Harmonic::amplitude).fold(0.0, f64::max);
             let last = all[3 * all.len() / 4..].iter().map(Harmonic::amplitude).fold(0.0, f64::max);
             if last <= 8.0 * NEGLIGIBLE * largest || samples >= most {
-                let own = self.state_errors().get(number).copied().unwrap_or(f64::NAN);
-                let error = 2.0 * own + NEGLIGIBLE * largest.max(all[0].cosine.abs());
+                let state_error = self.state_errors().get(number).copied().unwrap_or(f64::NAN);
+                let error = 2.0 * state_error + NEGLIGIBLE * largest.max(all[0].cosine.abs());
                 return significant(all, last.max(NEGLIGIBLE * largest), error, samples);
             }
             samples *= 2;

@@ -55,7 +55,7 @@ impl Path {
 
     /// The states at the ends of all steps.
     pub(super) fn states(&self) -> impl Iterator<Item = Vec<f64>> {
-        self.steps.steps().iter().map(|own| own.step().state_at(own.step().end().min(self.end)))
+        self.steps.steps().iter().map(|step| step.step().state_at(step.step().end().min(self.end)))
     }
 
     /// The least and the greatest value of a component.
@@ -74,7 +74,7 @@ impl Path {
     pub(super) fn largest_rates(&self, components: usize) -> Vec<f64> {
         let rates = |component: usize| {
             let steps = self.steps.steps().iter();
-            steps.map(move |own| own.step().rate_at(component, own.step().start()).abs())
+            steps.map(move |step| step.step().rate_at(component, step.step().start()).abs())
         };
         (0..components).map(|component| rates(component).fold(0.0, f64::max)).collect()
     }
@@ -89,9 +89,9 @@ impl Path {
         let mut largest: Vec<f64> = vec![];
         for look in 0..=LOOKS {
             let part = f64::from(look) / f64::from(LOOKS);
-            let [own, other] = [at(self, part), at(other, part)];
-            largest.resize(own.len(), 0.0);
-            for (largest, (a, b)) in largest.iter_mut().zip(own.iter().zip(&other)) {
+            let [here, other] = [at(self, part), at(other, part)];
+            largest.resize(here.len(), 0.0);
+            for (largest, (a, b)) in largest.iter_mut().zip(here.iter().zip(&other)) {
                 *largest = largest.max((a - b).abs());
             }
         }
@@ -100,8 +100,8 @@ impl Path {
 
     /// The integral of a function of the state over the whole time, step by step.
     pub(super) fn integral(&self, f: impl Fn(&[f64]) -> f64) -> f64 {
-        let over = |own: &OwnedStep| {
-            let step = own.step();
+        let over = |owned: &OwnedStep| {
+            let step = owned.step();
             let duration = step.end().min(self.end) - step.start();
             duration * gauss(|part| f(&step.state_at(step.start() + part * duration))).value
         };
@@ -140,17 +140,17 @@ pub(super) fn until(
     mut happens: impl FnMut(&Step<'_>) -> Option<f64>,
 ) -> Result<Option<Path>, IntegrationError> {
     let [first, last] = horizons;
-    let (mut steps, mut found): (Vec<OwnedStep>, _) = (vec![], None);
+    let (mut steps, mut time): (Vec<OwnedStep>, _) = (vec![], None);
     let (mut at, mut duration) = (start.clone(), first);
     while duration < last {
         let effort = Effort { most_steps: effort.most_steps.saturating_sub(steps.len()), ..*effort };
         let outcome = integrate_stepwise(system, &at, &[start.time + duration], &effort, |step| {
             steps.push(step.to_owned_step());
-            found = happens(step);
+            time = happens(step);
             let goes_on = watch.flow();
-            if found.is_some() { ControlFlow::Break(()) } else { goes_on }
+            if time.is_some() { ControlFlow::Break(()) } else { goes_on }
         });
-        match (found, outcome) {
+        match (time, outcome) {
             (Some(end), _) => return Ok(Some(Path::of_steps(steps, end))),
             (None, Ok(Solution { end, .. })) => at = end,
             (None, Err(error)) => return Err(error),

@@ -10,7 +10,7 @@ impl Newton<'_> {
         let numbers = start.len();
         let is_own = self.unknowns.period;
         let period_alone = is_own.then_some(self.at.period);
-        let place: Vec<f64> = self.at.state.iter().copied().chain(period_alone).collect();
+        let unknowns: Vec<f64> = self.at.state.iter().copied().chain(period_alone).collect();
         let units: Vec<f64> = self.sizes.iter().copied().chain(period_alone).collect();
         let errors = start.iter().zip(&self.sizes).map(|(error, size)| error / size);
         let errors: Vec<f64> = errors.chain(is_own.then_some(period / self.at.period)).collect();
@@ -23,15 +23,15 @@ impl Newton<'_> {
         let piece = |parts: [f64; 2], state: &[f64], further: &[f64]| {
             let whole = further.first().copied().unwrap_or(self.at.period);
             let times = parts.map(|part| whole * part);
-            let found = self.rounds.variations(state, times).ok()?;
+            let variations = self.rounds.variations(state, times).ok()?;
             let mut by_further = vec![];
             if is_own {
-                let rates = found.rates.each_ref().map(|it| &it[..]);
-                by_further.push(Piece::by_duration(&found.by_start, rates, parts));
+                let rates = variations.rates.each_ref().map(|it| &it[..]);
+                by_further.push(Piece::by_duration(&variations.by_start, rates, parts));
             }
-            Some(Piece { end: found.end, by_start: found.by_start, by_further })
+            Some(Piece { end: variations.end, by_start: variations.by_start, by_further })
         };
         let state_at = |part: f64| Some(self.round.path.state_at(part * self.at.period));
-        Checked { frame, place: &place, errors: &errors, growth }.closes(state_at, piece)
+        Checked { frame, place: &unknowns, errors: &errors, growth }.closes(state_at, piece)
     }
 }

@@ -136,8 +136,8 @@ impl<'a> Motion<'a> {
         let lengths = (0..MOST_HALVINGS).map(|halvings| libm::ldexp(length, -halvings.cast_signed()));
         let unseen = UNSEEN * libm::ldexp(1.0, i32::try_from(size).unwrap_or(i32::MAX));
         let agrees = |length: &f64| {
-            let [place, velocity] = self.misfit(state, series, *length).unwrap_or_default();
-            place <= unseen && velocity * length <= unseen
+            let [position, velocity] = self.misfit(state, series, *length).unwrap_or_default();
+            position <= unseen && velocity * length <= unseen
         };
         lengths.into_iter().find(agrees).ok_or(HalfPeriodError::Unable)
     }
@@ -151,7 +151,8 @@ impl<'a> Motion<'a> {
         let solution = solution.ok()?;
         let elapsed = BigFloat::from_f64(length, self.ring.precision)?;
         let ends = [&series.x, &series.velocity].map(|series| precise_sum(series, &elapsed).to_f64());
-        let misfits = ends.iter().zip(&solution.end.state).map(|(own, other)| (own - other).abs());
+        let misfits =
+            ends.iter().zip(&solution.end.state).map(|(by_series, other)| (by_series - other).abs());
         misfits.collect::<Vec<_>>().try_into().ok()
     }
 
@@ -189,8 +190,9 @@ impl Nearness {
         self.first = self.first.or(a);
         self.velocity = self.velocity.max(v);
         self.acceleration = self.acceleration.max(a);
-        let below = |own: Option<isize>, largest: Option<isize>| {
-            largest.is_some_and(|largest| own.is_none_or(|own| own - largest < -limit(precision)))
+        let below = |binary_exponent: Option<isize>, largest: Option<isize>| {
+            largest
+                .is_some_and(|largest| binary_exponent.is_none_or(|size| size - largest < -limit(precision)))
         };
         let near = below(v, self.velocity) && below(a, self.acceleration);
         if near { Err(HalfPeriodError::Undecided) } else { Ok(()) }

@@ -125,14 +125,14 @@ impl<'a> Release<'a> {
             return Err(OrbitError::TooSmall(self.start));
         }
         // Below rounding: the error of the period is then that of the sums of its steps.
-        let found = self.once_around(self.start, 1e-17).and_then(|around| self.judged(around));
-        let doubtful = match &found {
+        let outcome = self.once_around(self.start, 1e-17).and_then(|around| self.judged(around));
+        let doubtful = match &outcome {
             Ok(orbit) => orbit.period_uncertainty() > tolerance * orbit.period(),
             // Next to a separatrix rounding may lead elsewhere; if energy is lost or gained, higher precision cannot help.
             Err(_) => self.acceleration.is_free_of_velocity,
         };
-        let found = found.and_then(|orbit| self.sure(orbit));
-        if doubtful && self.acceleration.is_smooth() { self.precisely(found) } else { found }
+        let checked = outcome.and_then(|orbit| self.sure(orbit));
+        if doubtful && self.acceleration.is_smooth() { self.precisely(checked) } else { checked }
     }
 
     /// Returns `true` if squares of the displacement and of the velocity are so small that they are rounded to fewer digits, or to zero.
@@ -153,8 +153,8 @@ impl<'a> Release<'a> {
         let Roundings { relative, energy } = self.acceleration.roundings(&around.full);
         let other_side = around.full.state_at(around.half)[0];
         let swing = (self.start - other_side).abs();
-        let place = f64::EPSILON * self.start.abs().max(other_side.abs()) / swing;
-        let rounding = relative.max(place).max(f64::EPSILON);
+        let rounding_of_position = f64::EPSILON * self.start.abs().max(other_side.abs()) / swing;
+        let rounding = relative.max(rounding_of_position).max(f64::EPSILON);
         let first = self.acceleration.at(&[self.start, 0.0]).abs();
         let moved = energy / first / swing;
         let condition = self.condition(&around.full, swing.copysign(other_side - self.start), first);
@@ -204,7 +204,7 @@ impl<'a> Release<'a> {
     fn precisely(&self, rough: Result<Orbit, OrbitError>) -> Result<Orbit, OrbitError> {
         let mut before: Option<BigFloat> = None;
         for precision in PRECISIONS {
-            let found = match self.precise_halves(precision) {
+            let halves = match self.precise_halves(precision) {
                 Ok(halves) => halves,
                 Err(HalfPeriodError::Undecided) => {
                     before = None;
@@ -219,11 +219,11 @@ impl<'a> Release<'a> {
                         .unwrap_or(lost));
                 }
             };
-            let period = found.period();
+            let period = halves.period();
             let spread = before.map(|before| (before - period.clone()).to_f64().abs());
             if let Some(spread) = spread.filter(|spread| *spread <= AGREED * period.to_f64()) {
                 let uncertainty = IMPROVED * spread + f64::EPSILON * period.to_f64();
-                return found.closed(self.place.to_f64(), self.equation, uncertainty);
+                return halves.closed(self.place.to_f64(), self.equation, uncertainty);
             }
             before = Some(period);
         }
@@ -280,9 +280,9 @@ impl<'a> Release<'a> {
         // Roots are taken before the quotient, which may underflow.
         let size = libm::fmax(start.state[0].abs(), f64::MIN_POSITIVE);
         let horizon = Self::HORIZON * libm::sqrt(size) / libm::sqrt(first);
-        let found = until(&self.system, start, [horizon, FAR], effort, self.watch, happens);
+        let outcome = until(&self.system, start, [horizon, FAR], effort, self.watch, happens);
         let lost = |why| OrbitError::NoReturn { start: place, why };
-        match found {
+        match outcome {
             Ok(Some(path)) => Ok(path),
             Ok(None) => Err(lost(Lost::OneWay(FAR))),
             Err(error) => Err(lost(why_lost(error))),

@@ -121,10 +121,12 @@ impl OrbitSearch {
             None if self.conserves_energy => near(&[start, family]),
             None => match near(&[start]) {
                 // The period of an isolated cycle is well determined; NaN fails the comparison.
-                Ok(found) if found.1.period_uncertainty() <= OPEN * found.1.period() => Ok(found),
+                Ok(candidate) if candidate.1.period_uncertainty() <= OPEN * candidate.1.period() => {
+                    Ok(candidate)
+                }
                 Ok(_) => near(&[start, family]),
                 Err(OrbitError::Undetermined(_)) => near(&[start, family]),
-                found => found,
+                outcome => outcome,
             },
         }
     }

@@ -350,9 +350,9 @@ impl<'a> Newton<'a> {
     /// The error of the monodromy matrix relative to its norm: the difference from
     /// another integration, and the error of the start relative to the size of the orbit.
     fn change_of_map(&self, other: &[Vec<f64>], start: &[f64]) -> f64 {
-        let own = &self.round.monodromy;
-        let apart = self.norm(|i, j| own[i][j] - other[i][j]);
-        4.0 * (apart / self.norm(|i, j| own[i][j]) + miss(start, &self.sizes))
+        let map = &self.round.monodromy;
+        let apart = self.norm(|i, j| map[i][j] - other[i][j]);
+        4.0 * (apart / self.norm(|i, j| map[i][j]) + miss(start, &self.sizes))
     }
 
     /// The relative change of the monodromy matrix of a motion that passes jumps of forces, by the error of its start: jumps at other times and
@@ -361,13 +361,13 @@ impl<'a> Newton<'a> {
         if !self.rounds.has_jumps() {
             return Ok(0.0);
         }
-        let own = &self.round.monodromy;
+        let map = &self.round.monodromy;
         let mut change = 0.0;
         for side in [-1.0, 1.0] {
             let state: Vec<f64> =
                 self.at.state.iter().zip(start).map(|(x, error)| x + side * error).collect();
             let other = self.rounds.variations(&state, [0.0, self.at.period])?.by_start;
-            change += self.norm(|i, j| own[i][j] - other[i][j]) / self.norm(|i, j| own[i][j]);
+            change += self.norm(|i, j| map[i][j] - other[i][j]) / self.norm(|i, j| map[i][j]);
         }
         Ok(4.0 * change)
     }
@@ -380,9 +380,9 @@ impl<'a> Newton<'a> {
     /// The errors of the start due to a residual; zero for the components that are fixed.
     fn start_errors(&self, residual: &[f64]) -> Vec<f64> {
         let mut errors = vec![0.0; residual.len()];
-        let own = self.step().errors(residual);
-        for (place, (&j, size)) in self.unknowns.free.iter().zip(self.units()).enumerate() {
-            errors[j] = own.as_ref().map_or(f64::INFINITY, |own| 2.0 * own[place] * size);
+        let relative = self.step().errors(residual);
+        for (index, (&j, size)) in self.unknowns.free.iter().zip(self.units()).enumerate() {
+            errors[j] = relative.as_ref().map_or(f64::INFINITY, |deviations| 2.0 * deviations[index] * size);
         }
         errors
     }

@@ -22,13 +22,13 @@ use libration_numbers::expression::{Equation, Expression};
 #[must_use]
 pub fn centre_of(equation: &Equation, about: Option<&Expression>) -> Option<Constant> {
     let force = force(equation).ok().filter(|_| equation.parameters().is_empty())?;
-    let drives_back = |place: &Constant| {
+    let drives_back = |centre: &Constant| {
         let at_rest = force.at_rest();
-        let about = Neighbourhood::new(&at_rest, &force.x, place);
+        let about = Neighbourhood::new(&at_rest, &force.x, centre);
         about.and_then(|about| about.tendency()) == Some(Tendency::Back)
     };
     match about {
-        Some(place) => given(&force, place).filter(drives_back),
+        Some(point) => given(&force, point).filter(drives_back),
         None => places(&force).find(drives_back),
     }
 }

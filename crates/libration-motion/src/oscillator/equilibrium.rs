@@ -120,8 +120,8 @@ fn zero_next_to(force: &Force, near: f64, within: f64) -> Option<BigFloat> {
     let tape = Tape::new(&[&force.at_rest()], std::slice::from_ref(&force.x)).ok()?;
     let start = [BigFloat::from_f64(near, PRECISION)?];
     let step = |at: &[BigFloat]| correction(&ring, |x| x.to_f64().abs(), &tape, at);
-    let found = newton(&ring, &start, MOST_STEPS, step, |step, at| is_last(&step[0], &at[0])).ok()?;
-    found.into_iter().next().filter(|x| (x.to_f64() - near).abs() <= within * near.abs().max(1.0))
+    let zero = newton(&ring, &start, MOST_STEPS, step, |step, at| is_last(&step[0], &at[0])).ok()?;
+    zero.into_iter().next().filter(|x| (x.to_f64() - near).abs() <= within * near.abs().max(1.0))
 }
 
 /// Returns `true` if the next step of Newton's method would be below the last bits.
@@ -167,7 +167,7 @@ fn two_sided(force: &Force, at: &Constant) -> Option<(Sides, Constant)> {
 
 /// ω0², if the restoring force is proportional to small displacements.
 fn omega0_squared_at(force: &Force, at: &Constant) -> Result<Constant, RejectionReason> {
-    let (at_rest, place) = (force.at_rest(), at.digits());
+    let (at_rest, digits) = (force.at_rest(), at.digits());
     let about = Neighbourhood::new(&at_rest, &force.x, at);
     let frequency = |passed: bool| match (passed, returns(force, at)) {
         (false, _) => FrequencySource::Nothing,
@@ -179,7 +179,7 @@ fn omega0_squared_at(force: &Force, at: &Constant) -> Result<Constant, Rejection
         force: about.as_ref().and_then(Neighbourhood::tendency),
         frequency: frequency(about.as_ref().is_some_and(Neighbourhood::is_analytic_on_both_sides)),
     };
-    if Curve::new(&at_rest, &force.x).is_some_and(|curve| !curve.is_smooth_at(&place)) {
+    if Curve::new(&at_rest, &force.x).is_some_and(|curve| !curve.is_smooth_at(&digits)) {
         return Err(rough());
     }
     let omega0_squared = value_at(force, &force.stiffness(), at).ok_or_else(rough)?;
@@ -195,7 +195,7 @@ fn omega0_squared_at(force: &Force, at: &Constant) -> Result<Constant, Rejection
 
 /// Returns `true` if motions about a position are proved to retrace their paths, possibly mirrored.
 fn returns(force: &Force, at: &Constant) -> bool {
-    force.is_reversible() || at.exact().is_some_and(|place| force.is_mirrored_about(place))
+    force.is_reversible() || at.exact().is_some_and(|centre| force.is_mirrored_about(centre))
 }
 
 /// Rejects forces that add or remove energy.
@@ -213,9 +213,9 @@ fn refuse_losses(force: &Force, at: &Constant) -> Result<(), RejectionReason> {
 fn value_at(force: &Force, formula: &Expression, at: &Constant) -> Option<Constant> {
     let curve = Curve::new(formula, &force.x)?;
     match at {
-        Constant::Exact(place) => curve.constant_at(place),
-        Constant::Approximate(Approximation(place)) => {
-            let value = curve.precisely_at(place)?;
+        Constant::Exact(exact) => curve.constant_at(exact),
+        Constant::Approximate(Approximation(digits)) => {
+            let value = curve.precisely_at(digits)?;
             let zero = is_tiny(&value).then(|| Rational::from(0));
             let exact = formula.to_rational().or(zero).map(Constant::Exact);
             Some(exact.unwrap_or(Constant::Approximate(Approximation(value))))

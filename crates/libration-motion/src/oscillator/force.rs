@@ -77,11 +77,11 @@ impl Force {
 
 /// A formula with the symbol u replaced by 2a − u, or by −u if there is no a.
 fn reflected(formula: &Expression, symbol: &Symbol, about: Option<&Rational>) -> Expression {
-    let own = Expression::Symbol(symbol.clone());
-    let twice = about.map(|place| Rationals.times_integer(place, 2)).filter(|twice| !twice.is_zero());
+    let variable = Expression::Symbol(symbol.clone());
+    let twice = about.map(|centre| Rationals.times_integer(centre, 2)).filter(|twice| !twice.is_zero());
     let by = match twice {
-        Some(twice) => difference(Expression::Number(twice), own),
-        None => Expression::Negate(Box::new(own)),
+        Some(twice) => difference(Expression::Number(twice), variable),
+        None => Expression::Negate(Box::new(variable)),
     };
     formula.substitute(symbol, &by)
 }

@@ -99,9 +99,9 @@ impl Oscillator {
             }
         }
         let Candidates { near, none } = candidates(&force);
-        let places = near.into_iter().take(MOST_PLACES).filter_map(|near| refined(&force, near));
-        for place in places.filter(|place| *place != zero) {
-            match assessed(&force, place) {
+        let candidates = near.into_iter().take(MOST_PLACES).filter_map(|near| refined(&force, near));
+        for candidate in candidates.filter(|candidate| *candidate != zero) {
+            match assessed(&force, candidate) {
                 Ok(equilibrium) => return Ok(Self::centre(equation, force, equilibrium)),
                 Err(refusal) => refusals.push(refusal),
             }
@@ -123,7 +123,7 @@ impl Oscillator {
         if matches!(kind, Kind::Conservative | Kind::TwoSided) {
             force.formula = force.at_rest();
         }
-        let odd = equilibrium.at.exact().is_some_and(|place| force.is_odd_about(place));
+        let odd = equilibrium.at.exact().is_some_and(|centre| force.is_odd_about(centre));
         Self { equation: equation.clone(), force, equilibrium, kind, odd }
     }
 
@@ -141,7 +141,7 @@ impl Oscillator {
         if !force.is_reversible_with(&symbol) {
             return Err(OscillatorError::NoStrength { parameter: parameter.to_owned() });
         }
-        let odd = equilibrium.at.exact().is_some_and(|place| force.is_odd_about(place));
+        let odd = equilibrium.at.exact().is_some_and(|centre| force.is_odd_about(centre));
         let kind = Kind::LimitCycle { parameter: parameter.to_owned() };
         Ok(Self { equation: equation.clone(), force, equilibrium, kind, odd })
     }

@@ -31,8 +31,8 @@ impl<'a> NamedConstants<'a> {
         if is_constant && value_of(&self.ring, formula).is_some() {
             return formula.clone();
         }
-        let two = |one: &Expression, other: &Expression, own: &mut Self| {
-            (Box::new(own.named(one)), Box::new(own.named(other)))
+        let two = |one: &Expression, other: &Expression, names: &mut Self| {
+            (Box::new(names.named(one)), Box::new(names.named(other)))
         };
         match formula {
             Expression::Negate(a) => Expression::Negate(Box::new(self.named(a))),
@@ -65,7 +65,7 @@ impl<'a> NamedConstants<'a> {
     }
 
     fn name(&mut self, constant: &Expression) -> Expression {
-        if let Some((name, _)) = self.constants.iter().find(|(_, known)| known == constant) {
+        if let Some((name, _)) = self.constants.iter().find(|(_, other)| other == constant) {
             return Expression::symbol(name);
         }
         let first = if *constant == Expression::Pi {

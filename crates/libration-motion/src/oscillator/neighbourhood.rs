@@ -111,9 +111,9 @@ impl<'a> Neighbourhood<'a> {
     /// The force at the distance 2⁻ⁿ.
     fn value(&self, side: Towards, n: usize) -> Option<Constant> {
         match (self.at, step(side, n)) {
-            (Constant::Exact(place), step) => self.curve.constant_at(&Rationals.add(place, &step)),
-            (place, step) => {
-                let near = place.digits() + BigFloat::from_rational(&step, PRECISION);
+            (Constant::Exact(point), step) => self.curve.constant_at(&Rationals.add(point, &step)),
+            (point, step) => {
+                let near = point.digits() + BigFloat::from_rational(&step, PRECISION);
                 self.curve.precisely_at(&near).map(|value| Constant::Approximate(Approximation(value)))
             }
         }
@@ -150,7 +150,7 @@ impl<'a> Neighbourhood<'a> {
             .zip(NEAR)
             .map(|(value, n)| value / BigFloat::from_rational(&step(side, n), PRECISION))
             .collect();
-        let [far, middle, near] = [0, 1, 2].map(|place| size(&quotients[place]));
+        let [far, middle, near] = [0, 1, 2].map(|index| size(&quotients[index]));
         if agree(&quotients[1], &quotients[2]) {
             return OneSided::Slope(quotients[2].clone());
         }

@@ -65,7 +65,7 @@ impl NumbersOrLetters {
     pub fn new(equation: &Equation, about: Option<&Expression>) -> Result<Self, NumbersOrLettersError> {
         let numbers = match about {
             None => Oscillator::new(equation),
-            Some(place) => Oscillator::about(equation, place),
+            Some(centre) => Oscillator::about(equation, centre),
         };
         let numbers = match numbers {
             Ok(oscillator) => return Ok(Self::Numbers(oscillator)),
@@ -74,7 +74,7 @@ impl NumbersOrLetters {
         };
         let letters = match about {
             None => SymbolicOscillator::new(equation),
-            Some(place) => SymbolicOscillator::about(equation, place),
+            Some(centre) => SymbolicOscillator::about(equation, centre),
         };
         match (letters, numbers) {
             (Ok(oscillator), _) => Ok(Self::Letters(oscillator)),

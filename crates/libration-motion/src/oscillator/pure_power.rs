@@ -13,8 +13,8 @@ use libration_numbers::expression::{Equation, Expression, Function, Symbol};
 /// ```
 /// # extern crate libration_motion as libration;
 /// use libration::oscillator::PurePower;
-/// let found = PurePower::of(&"x'' + k*x*abs(x) = 0".parse()?, None).ok_or("no power")?;
-/// assert_eq!((found.exponent().to_string(), found.strength().to_string()), ("2".into(), "k".into()));
+/// let law = PurePower::of(&"x'' + k*x*abs(x) = 0".parse()?, None).ok_or("no power")?;
+/// assert_eq!((law.exponent().to_string(), law.strength().to_string()), ("2".into(), "k".into()));
 /// assert_eq!(PurePower::of(&"x'' + x^3 + x = 0".parse()?, None), None);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -35,7 +35,7 @@ impl PurePower {
         let centre = match (equation.parameters().is_empty(), about) {
             (true, about) => centre_of(equation, about)?.exact()?.clone(),
             (false, None) => Rational::from(0),
-            (false, Some(place)) => place.to_rational()?,
+            (false, Some(centre)) => centre.to_rational()?,
         };
         let sides = Sides::about(&force, &centre)?;
         let (above, below) = (Monomial::of(&sides.above, &force.x)?, Monomial::of(&sides.below, &force.x)?);
@@ -43,10 +43,10 @@ impl PurePower {
             return None;
         }
         let strength = Expression::Negate(Box::new(above.factor)).simplified();
-        let found = Self { variable: force.x.name.clone(), centre, strength, exponent: above.exponent };
-        let linear = found.exponent == Rational::from(1);
-        (found.strength_if_letters_are_one()? > 0.0 && !found.exponent.is_negative() && !linear)
-            .then_some(found)
+        let power = Self { variable: force.x.name.clone(), centre, strength, exponent: above.exponent };
+        let linear = power.exponent == Rational::from(1);
+        (power.strength_if_letters_are_one()? > 0.0 && !power.exponent.is_negative() && !linear)
+            .then_some(power)
     }
 
     /// The name of the displacement.
@@ -98,8 +98,8 @@ impl Monomial {
         if !formula.contains(x) {
             return Some(Self { factor: formula.clone(), exponent: Rational::from(0) });
         }
-        if let Some(found) = Self::of_polynomial(formula, x) {
-            return Some(found);
+        if let Some(polynomial) = Self::of_polynomial(formula, x) {
+            return Some(polynomial);
         }
         match formula {
             Expression::Symbol(_) => Some(Self { factor: 1.into(), exponent: Rational::from(1) }),

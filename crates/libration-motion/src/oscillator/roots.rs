@@ -22,15 +22,15 @@ pub struct Scan {
 pub fn zeros(f: impl Fn(f64) -> f64) -> Scan {
     let at = |i: i32| SEARCHED * f64::from(i) / f64::from(PIECES / 2);
     let values: Vec<(f64, f64)> = (-PIECES / 2..=PIECES / 2).map(|i| (at(i), f(at(i)))).collect();
-    let mut found: Vec<f64> = values.iter().filter(|(_, y)| *y == 0.0).map(|(x, _)| *x).collect();
+    let mut zeros: Vec<f64> = values.iter().filter(|(_, y)| *y == 0.0).map(|(x, _)| *x).collect();
     for pair in values.windows(2) {
         let ((a, fa), (b, fb)) = (pair[0], pair[1]);
         if fa * fb < 0.0 {
             let zero = sign_change(&f, [a, b]);
             // At a pole the function grows towards the change of sign.
-            found.extend(Some(zero).filter(|&zero| f(zero).abs() <= fa.abs().max(fb.abs())));
+            zeros.extend(Some(zero).filter(|&zero| f(zero).abs() <= fa.abs().max(fb.abs())));
         }
     }
-    found.sort_by(f64::total_cmp);
-    Scan { zeros: found, has_values: values.iter().any(|(_, y)| !y.is_nan()) }
+    zeros.sort_by(f64::total_cmp);
+    Scan { zeros, has_values: values.iter().any(|(_, y)| !y.is_nan()) }
 }

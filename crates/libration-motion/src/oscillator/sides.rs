@@ -21,7 +21,7 @@ impl Sides {
     /// The sides, and their common slope; `None` if the force contains the velocity,
     /// a side has no power series in fractions, or the force jumps or has a kink.
     pub(super) fn new(force: &Force, at: &Constant) -> Option<(Self, Rational)> {
-        let sides = at.exact().and_then(|place| Self::about(force, place))?;
+        let sides = at.exact().and_then(|centre| Self::about(force, centre))?;
         let (above, below) =
             (slope_from_rest(&sides.above, &force.x)?, slope_from_rest(&sides.below, &force.x)?);
         (above == below).then_some((sides, above))

@@ -212,8 +212,8 @@ impl SymbolicOscillator {
             jet.extend(&slope).ok()?;
         }
         let result = jet.result(0);
-        let known = result.iter().take(length).all(|value| !value.is_beyond_limit());
-        known.then(|| result[..length.min(result.len())].to_vec())
+        let is_complete = result.iter().take(length).all(|value| !value.is_beyond_limit());
+        is_complete.then(|| result[..length.min(result.len())].to_vec())
     }
 
     #[doc(hidden)]
@@ -245,8 +245,8 @@ impl AtRest {
         let gain = |input: usize| Some(jet.gains(input).ok()?.swap_remove(result));
         let (slope, damping) = (gain(0)?, gain(1)?);
         let values: Vec<LaurentPolynomial> = jet.values().cloned().collect();
-        let known = values.iter().chain([&slope, &damping]).all(|value| !value.is_beyond_limit());
-        known.then_some(Self { values, slope, damping })
+        let is_complete = values.iter().chain([&slope, &damping]).all(|value| !value.is_beyond_limit());
+        is_complete.then_some(Self { values, slope, damping })
     }
 }
 

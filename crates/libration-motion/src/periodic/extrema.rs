@@ -11,9 +11,9 @@ pub type Extrema = [f64; 2];
 pub fn extrema(steps: &[OwnedStep], component: usize, drift: f64, end: f64) -> Extrema {
     let mut range = [f64::INFINITY, f64::NEG_INFINITY];
     let mut widen = |x: f64| range = [range[0].min(x), range[1].max(x)];
-    for own in steps {
-        let step = own.step();
-        let turns = turns_in(own, component, drift, end);
+    for owned in steps {
+        let step = owned.step();
+        let turns = turns_in(owned, component, drift, end);
         for time in [step.start(), step.end().min(end)].into_iter().chain(turns) {
             widen(step.number_at(component, time) - drift * time);
         }

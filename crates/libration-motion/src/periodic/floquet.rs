@@ -77,11 +77,11 @@ impl Stability {
 impl Floquet {
     /// The multiplier of a cycle of one coordinate, given its logarithm with an error (Liouville's theorem); 0 if it underflows.
     pub(crate) fn of_cycle(logarithm: f64, error: f64) -> Self {
-        let own = libm::exp(logarithm);
-        let mut both = vec![(Complex::from(1.0), 0.0), (Complex::from(own), own * error)];
+        let multiplier = libm::exp(logarithm);
+        let mut both = vec![(Complex::from(1.0), 0.0), (Complex::from(multiplier), multiplier * error)];
         both.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));
         let (multipliers, errors) = both.into_iter().unzip();
-        let stability = Stability::of([(own, own * error)]);
+        let stability = Stability::of([(multiplier, multiplier * error)]);
         Self { multipliers, errors, stability, logarithm: Some(logarithm) }
     }
 
@@ -98,9 +98,9 @@ impl Floquet {
         let errors = multiplier_errors(monodromy, units, &multipliers, change);
         let one = Complex::from(1.0);
         let distance = |&k: &usize| (multipliers[k] - one).abs();
-        let places = || 0..multipliers.len();
-        let trivial = places().min_by(|a, b| distance(a).total_cmp(&distance(b))).filter(|_| autonomous);
-        let counted = places().filter(|k| Some(*k) != trivial).map(|k| (multipliers[k].abs(), errors[k]));
+        let indices = || 0..multipliers.len();
+        let trivial = indices().min_by(|a, b| distance(a).total_cmp(&distance(b))).filter(|_| autonomous);
+        let counted = indices().filter(|k| Some(*k) != trivial).map(|k| (multipliers[k].abs(), errors[k]));
         let stability = Stability::of(counted);
         Some(Self { multipliers, errors, stability, logarithm: None })
     }
@@ -116,7 +116,9 @@ pub fn multiplier_errors(
 ) -> Vec<f64> {
     /// Rounding errors of the QR algorithm for each row.
     const ROUNDINGS: f64 = 4.0;
-    let row = |(row, own): (&Vec<f64>, &f64)| row.iter().zip(units).map(|(x, unit)| x * unit / own).collect();
+    let row = |(row, own_unit): (&Vec<f64>, &f64)| {
+        row.iter().zip(units).map(|(x, unit)| x * unit / own_unit).collect()
+    };
     let scaled: Vec<Vec<f64>> = monodromy.iter().zip(units).map(row).collect();
     let norm = norm(&scaled.concat());
     let rows = scaled.iter().fold(0.0, |count, _| count + 1.0);

@@ -65,9 +65,9 @@ pub(super) fn followed(
     each: &mut dyn FnMut(Option<&Step<'_>>) -> ControlFlow<()>,
 ) -> Result<Arrival, IntegrationError> {
     let Route { plain, effort, parameters, times: [from, to] } = route;
-    let known = |cause: NoDerivative| IntegrationError::NoDerivative { cause, time: from };
+    let cannot = |cause: NoDerivative| IntegrationError::NoDerivative { cause, time: from };
     if plain.has_passages() {
-        return Err(known(NoDerivative::Power));
+        return Err(cannot(NoDerivative::Power));
     }
     let start = Moment { time: from, state: state.to_vec() };
     let trajectory = Trajectory { start, parameters: parameters.to_vec(), times: &[to] };
@@ -107,8 +107,8 @@ impl Traveller<'_> {
 
     fn rates(&self) -> Result<Vec<f64>, IntegrationError> {
         let state = self.state();
-        let place = Place { time: self.time, state: &state, parameters: self.parameters };
-        self.modes.rates(&self.sides, place).map_err(|cause| self.refusal(cause))
+        let position = Place { time: self.time, state: &state, parameters: self.parameters };
+        self.modes.rates(&self.sides, position).map_err(|cause| self.refusal(cause))
     }
 
     /// Integrates the variations to a time. Jumps that happen together may be closer than steps can be.
@@ -230,16 +230,16 @@ impl Traveller<'_> {
             return Ok(());
         }
         let state = state_in(self.modes, &on.all);
-        let place = Place { time: self.time, state: &state, parameters: self.parameters };
-        let rates = [self.modes.rates(&before, place)?, self.modes.rates(&on.sides, place)?];
-        let gradient = self.modes.gradient(argument, &before, place);
+        let position = Place { time: self.time, state: &state, parameters: self.parameters };
+        let rates = [self.modes.rates(&before, position)?, self.modes.rates(&on.sides, position)?];
+        let gradient = self.modes.gradient(argument, &before, position);
         let numbers = state.len();
         let along = |vector: &[f64]| gradient.iter().zip(vector).map(|(a, b)| a * b).sum::<f64>();
         let speed = along(&rates[0]) + gradient[numbers];
         for copy in 1..=self.copies() {
-            let own: Vec<f64> = (0..numbers).map(|number| on.all[self.address(number, copy)]).collect();
+            let deviation: Vec<f64> = (0..numbers).map(|number| on.all[self.address(number, copy)]).collect();
             let by_parameter = if copy <= self.parameters.len() { gradient[numbers + copy] } else { 0.0 };
-            let late = (along(&own) + by_parameter) / speed;
+            let late = (along(&deviation) + by_parameter) / speed;
             for (number, (before, after)) in rates[0].iter().zip(&rates[1]).enumerate() {
                 on.all[self.address(number, copy)] += (after - before) * late;
             }
@@ -296,8 +296,8 @@ impl Traveller<'_> {
         let mut sides = self.sides.clone();
         sides[argument] = if sides[argument] == Side::Above { Side::Below } else { Side::Above };
         let state = self.state();
-        let place = Place { time: self.time, state: &state, parameters: self.parameters };
-        let rates = self.modes.rates(&sides, place).map_err(|cause| self.refusal(cause))?;
+        let position = Place { time: self.time, state: &state, parameters: self.parameters };
+        let rates = self.modes.rates(&sides, position).map_err(|cause| self.refusal(cause))?;
         let held =
             self.modes.driven[argument].is_some_and(|number| rates[number] * sides[argument].sign() <= 0.0);
         Ok(if held { Side::Zero } else { sides[argument] })

@@ -44,8 +44,8 @@ pub(super) struct Place<'a> {
 impl Place<'_> {
     fn inputs(&self, sides: &[Side]) -> Vec<f64> {
         let signs = sides.iter().map(|side| side.sign());
-        let known = self.state.iter().chain([&self.time]).chain(self.parameters).copied();
-        known.chain(signs).collect()
+        let inputs = self.state.iter().chain([&self.time]).chain(self.parameters).copied();
+        inputs.chain(signs).collect()
     }
 }
 
@@ -54,14 +54,14 @@ impl Modes {
     pub(super) fn new(equation: &Equation, parameters: &[&str]) -> Result<Option<Self>, WithoutValue> {
         let Some(open) = OpenSigns::new(equation) else { return Ok(None) };
         let layout = StateLayout::new(equation);
-        let mut known = layout.symbols(equation.variables());
-        known.extend(["t"].iter().chain(parameters).map(|name| Symbol::plain(name)));
+        let mut symbols = layout.symbols(equation.variables());
+        symbols.extend(["t"].iter().chain(parameters).map(|name| Symbol::plain(name)));
         let slopes = open
             .arguments()
             .iter()
-            .flat_map(|argument| known.iter().map(move |symbol| argument.derivative(symbol).simplified()));
+            .flat_map(|argument| symbols.iter().map(move |symbol| argument.derivative(symbol).simplified()));
         let slopes: Vec<_> = slopes.collect();
-        let inputs: Vec<Symbol> = known.iter().chain(open.signs()).cloned().collect();
+        let inputs: Vec<Symbol> = symbols.iter().chain(open.signs()).cloned().collect();
         let gradients = Tape::new(&slopes.iter().collect::<Vec<_>>(), &inputs)?;
         let parameters: Vec<String> = parameters.iter().map(|name| (*name).to_owned()).collect();
         let free = Arc::new(Mode::new(open.equation(), &parameters, &inputs)?);
@@ -84,8 +84,8 @@ impl Modes {
             return Ok(Arc::clone(&self.free));
         }
         let mut sliding = self.sliding.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(known) = sliding.get(&held) {
-            return Ok(Arc::clone(known));
+        if let Some(mode) = sliding.get(&held) {
+            return Ok(Arc::clone(mode));
         }
         let equation = self.open.sliding(&held).ok_or(NoDerivative::Sliding)?;
         let made = Mode::new(&equation, &self.parameters, &self.inputs).map_err(|_| NoDerivative::Sliding)?;

@@ -86,14 +86,14 @@ impl Checked<'_> {
                 piece([number, number + 1].map(|k| count(k) / pieces), state, further)
             };
             let nodes = states.map(|states| Nodes { states, further });
-            nodes.and_then(|nodes| nodes.closed(self.frame, between)).is_some_and(|found| self.holds(&found))
+            nodes.and_then(|nodes| nodes.closed(self.frame, between)).is_some_and(|nodes| self.holds(&nodes))
         })
     }
 
     /// Returns `true` if the found orbit lies within the errors of this one.
     fn holds(&self, found: &Nodes) -> bool {
-        let found = found.states[0].iter().chain(&found.further);
-        let off = found.zip(self.place).map(|(a, b)| a - b);
+        let orbit = found.states[0].iter().chain(&found.further);
+        let off = orbit.zip(self.place).map(|(a, b)| a - b);
         let allowed = self.errors.iter().zip(self.place).zip(self.frame.units);
         off.zip(allowed).all(|(off, ((error, x), unit))| {
             off.abs() <= CLOSED * (error * unit + f64::EPSILON * x.abs().max(*unit))

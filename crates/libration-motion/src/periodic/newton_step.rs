@@ -20,8 +20,8 @@ impl NewtonStep {
     /// are free, and from the derivatives of the end by further unknowns with the units of these unknowns.
     pub fn new(map: &[Vec<f64>], units: &[f64], free: &[usize], further: &[(&[f64], f64)]) -> Self {
         let row = |(i, (row, unit)): (usize, (&Vec<f64>, &f64))| {
-            let own = |j: usize| if i == j { 1.0 } else { 0.0 };
-            let state = free.iter().map(|&j| (row[j] - own(j)) * units[j] / unit);
+            let identity = |j: usize| if i == j { 1.0 } else { 0.0 };
+            let state = free.iter().map(|&j| (row[j] - identity(j)) * units[j] / unit);
             state.chain(further.iter().map(|(column, size)| column[i] * size / unit)).collect()
         };
         let rows = map.iter().zip(units).enumerate().map(row).collect();

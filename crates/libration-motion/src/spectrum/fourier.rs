@@ -26,8 +26,8 @@ pub fn transform(values: &[Complex]) -> Vec<Complex> {
 /// The numbers in the order of their bit-reversed indices.
 fn bit_reversed(values: &[Complex]) -> Vec<Complex> {
     let bits = values.len().trailing_zeros();
-    let place = |k: usize| if bits == 0 { 0 } else { k.reverse_bits() >> (usize::BITS - bits) };
-    (0..values.len()).map(|k| values[place(k)]).collect()
+    let index = |k: usize| if bits == 0 { 0 } else { k.reverse_bits() >> (usize::BITS - bits) };
+    (0..values.len()).map(|k| values[index(k)]).collect()
 }
 
 #[expect(clippy::cast_precision_loss, reason = "lengths of lists, far below 2^53")]

@@ -134,8 +134,8 @@ impl Spectrum {
         loop {
             let interval = (until - from) / float(count - 1);
             // The last time is the given one, not a sum with rounding errors.
-            let time = |place: usize| if place + 1 == count { until } else { from + interval * float(place) };
-            let value = |place| motion.state_at(time(place))?.get(number).copied();
+            let time = |index: usize| if index + 1 == count { until } else { from + interval * float(index) };
+            let value = |index| motion.state_at(time(index))?.get(number).copied();
             let values: Option<Vec<f64>> = (0..count).map(value).collect();
             let values = values.filter(|_| from < until).ok_or(SpectrumError::NotKnown { from, until })?;
             check_trend(&values)?;
@@ -161,7 +161,7 @@ impl Spectrum {
     /// and amplitudes (in the unit of the values), at least 50 points per width of a line.
     pub fn points(&self) -> impl ExactSizeIterator<Item = (f64, f64)> + '_ {
         let step = self.highest() / float(self.amplitudes.len() - 1);
-        self.amplitudes.iter().enumerate().map(move |(place, amplitude)| (step * float(place), *amplitude))
+        self.amplitudes.iter().enumerate().map(move |(index, amplitude)| (step * float(index), *amplitude))
     }
 
     /// The amplitude at an angular frequency (rad/s) above zero.
@@ -198,7 +198,7 @@ const FEWEST_OF_MOTION: usize = 4096;
 fn check_trend(values: &[f64]) -> Result<(), SpectrumError> {
     let (Some(&first), Some(&last)) = (values.first(), values.last()) else { return Ok(()) };
     let slope = (last - first) / float(values.len() - 1);
-    let departures = values.iter().enumerate().map(|(place, value)| value - first - slope * float(place));
+    let departures = values.iter().enumerate().map(|(index, value)| value - first - slope * float(index));
     let (low, high) = departures.fold((0.0, 0.0), |(low, high): (f64, f64), it| (low.min(it), high.max(it)));
     if high - low < 0.5 * (last - first).abs() { Err(SpectrumError::Trend { first, last }) } else { Ok(()) }
 }

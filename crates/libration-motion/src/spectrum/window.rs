@@ -19,8 +19,8 @@ pub(super) fn half_width() -> f64 {
 }
 
 fn weight(n: usize, length: usize) -> f64 {
-    let place = 2.0 * (super::float(n) + 0.5) / super::float(length) - 1.0;
-    bessel_i0(SHAPE * libm::sqrt(1.0 - place * place))
+    let argument = 2.0 * (super::float(n) + 0.5) / super::float(length) - 1.0;
+    bessel_i0(SHAPE * libm::sqrt(1.0 - argument * argument))
 }
 
 /// I₀(x) = Σ ((x/2)ᵏ/k!)² (DLMF 10.25.2), for 0 ≤ x ≤ 20: the term of k = 60 is below 1e-43.

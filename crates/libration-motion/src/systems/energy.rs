@@ -73,10 +73,10 @@ impl Energy {
                 return Err(EnergyError::NotOfPlace { coordinate: name.clone(), on });
             }
         }
-        for (place, first) in names.iter().enumerate() {
-            for (other, second) in names.iter().enumerate().take(place) {
+        for (index, first) in names.iter().enumerate() {
+            for (other, second) in names.iter().enumerate().take(index) {
                 let slope = |force: usize, by: &str| Box::new(forces[force].derivative(&Symbol::plain(by)));
-                if !Expression::Subtract(slope(place, second), slope(other, first)).vanishes() {
+                if !Expression::Subtract(slope(index, second), slope(other, first)).vanishes() {
                     return Err(EnergyError::Curl { first: second.clone(), second: first.clone() });
                 }
             }
@@ -223,7 +223,7 @@ impl EnergyBalance<'_> {
     fn by_work(&mut self, state: &[f64]) -> (f64, f64) {
         let coordinates = self.energy.coordinates;
         let from = self.account.last.clone();
-        let work = work(&from, state, |place| self.values(place));
+        let work = work(&from, state, |position| self.values(position));
         let [high, low] = self.account.potential;
         let potential = DoubleDouble::new(high, low) + DoubleDouble::from(-work.value);
         self.account.potential = [potential.hi, potential.lo];

@@ -72,20 +72,20 @@ impl Model {
             let values = match IndexedComponents::of(name) {
                 Some(family) => family.values(value, &names)?,
                 None => {
-                    let place = place_of(name, &names)?;
-                    vec![(place, number(&names[place], value, &units[place])?)]
+                    let index = place_of(name, &names)?;
+                    vec![(index, number(&names[index], value, &units[index])?)]
                 }
             };
-            for (place, value) in values {
-                if given[place].is_some() {
-                    return Err(InitialStateError::Twice(names[place].clone()));
+            for (index, value) in values {
+                if given[index].is_some() {
+                    return Err(InitialStateError::Twice(names[index].clone()));
                 }
-                given[place] = Some(value);
+                given[index] = Some(value);
             }
         }
         let rest = self.state_at_rest();
         let omitted = given.iter().enumerate().filter(|(_, value)| value.is_none());
-        let assumed = omitted.map(|(place, _)| (names[place].clone(), rest[place])).collect();
+        let assumed = omitted.map(|(index, _)| (names[index].clone(), rest[index])).collect();
         let state = given.iter().zip(&rest).map(|(value, rest)| value.unwrap_or(*rest)).collect();
         Ok(InitialState { state, assumed })
     }
@@ -93,14 +93,14 @@ impl Model {
     /// Returns `true` if the state variable of this name is an angle.
     #[must_use]
     pub fn is_angle(&self, name: &str) -> bool {
-        place_of(name, &self.state_names()).is_ok_and(|place| self.state_units()[place] == "rad")
+        place_of(name, &self.state_names()).is_ok_and(|index| self.state_units()[index] == "rad")
     }
 }
 
 fn place_of(name: &str, names: &[String]) -> Result<usize, InitialStateError> {
     let plain = plain(name.trim());
     let unknown = || InitialStateError::Unknown { name: name.trim().to_owned(), known: names.to_vec() };
-    names.iter().position(|known| *known == plain).ok_or_else(unknown)
+    names.iter().position(|listed| *listed == plain).ok_or_else(unknown)
 }
 
 /// Several components of a state at once: `x[i]`, or `x[i]'`.
@@ -121,19 +121,19 @@ impl<'a> IndexedComponents<'a> {
 
     /// The indices of all members, and the values of a formula of the index.
     fn values(&self, text: &str, names: &[String]) -> Result<Vec<(usize, f64)>, InitialStateError> {
-        let index = |known: &str| {
-            known.strip_prefix(self.name)?.strip_suffix(self.primes)?.parse::<u32>().ok().map(i64::from)
+        let index = |member: &str| {
+            member.strip_prefix(self.name)?.strip_suffix(self.primes)?.parse::<u32>().ok().map(i64::from)
         };
-        let places = names.iter().enumerate().filter_map(|(place, known)| Some((place, index(known)?)));
-        let places: Vec<(usize, i64)> = places.collect();
+        let numbered = names.iter().enumerate().filter_map(|(at, member)| Some((at, index(member)?)));
+        let members: Vec<(usize, i64)> = numbered.collect();
         let name = format!("{}[{}]{}", self.name, self.letter, self.primes);
-        if places.is_empty() {
+        if members.is_empty() {
             return Err(InitialStateError::NoFamily { name, known: names.to_vec() });
         }
         let wrong = |reason: String| InitialStateError::Value { name: name.clone(), reason };
         let formula: Expression = text.parse().map_err(|error| wrong(format!("{error}")))?;
         let letter = Symbol::plain(self.letter);
-        let value = |(place, index): (usize, i64)| {
+        let value = |(at, index): (usize, i64)| {
             let value = formula.substitute(&letter, &Expression::from(index)).to_f64();
             let value = value.filter(|value| value.is_finite()).ok_or_else(|| {
                 wrong(format!(
@@ -141,9 +141,9 @@ impl<'a> IndexedComponents<'a> {
                     self.letter, self.letter, self.letter
                 ))
             });
-            Ok((place, value?))
+            Ok((at, value?))
         };
-        places.into_iter().map(value).collect()
+        members.into_iter().map(value).collect()
     }
 }
 

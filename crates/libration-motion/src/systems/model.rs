@@ -84,16 +84,16 @@ impl Model {
         let coordinates = coordinates.collect::<Result<Vec<_>, ModelError>>()?;
         let coordinates =
             if named.count.is_some() { each_like(&coordinates, &equation) } else { coordinates };
-        let place = |[right, up]: [&str; 2]| Ok::<_, ModelError>([put_in(right)?, put_in(up)?]);
-        let bodies = named.bodies.iter().map(|body| Ok([place(body.place)?, place(body.pivot)?]));
-        let known = NamedProperties {
+        let formulas = |[right, up]: [&str; 2]| Ok::<_, ModelError>([put_in(right)?, put_in(up)?]);
+        let bodies = named.bodies.iter().map(|body| Ok([formulas(body.place)?, formulas(body.pivot)?]));
+        let properties = NamedProperties {
             bodies: bodies.collect::<Result<_, ModelError>>()?,
             energy: Some(named.energy).filter(|it| !it.is_empty()).map(put_in).transpose()?,
             power: Some(named.power).filter(|it| !it.is_empty()).map(put_in).transpose()?,
             drive_frequency: named.drive_frequency.map(put_in).transpose()?,
         };
         let (key, title) = (Some(named.key), named.title);
-        Ok(Self { key, title, equation, coordinates, values, known: Some(known) })
+        Ok(Self { key, title, equation, coordinates, values, known: Some(properties) })
     }
 
     /// An oscillator of the other catalogue, at rest in its equilibrium.
@@ -182,15 +182,15 @@ impl Model {
     /// The units of the state components, empty if they are not known.
     #[must_use]
     pub fn state_units(&self) -> Vec<String> {
-        let own = self.coordinates.iter().map(|coordinate| coordinate.unit.clone());
-        self.layout().arrange(own, |coordinate| self.coordinates[coordinate].velocity_unit())
+        let units = self.coordinates.iter().map(|coordinate| coordinate.unit.clone());
+        self.layout().arrange(units, |coordinate| self.coordinates[coordinate].velocity_unit())
     }
 
     /// The state of rest: the equilibrium value of every coordinate, without velocity.
     #[must_use]
     pub fn state_at_rest(&self) -> Vec<f64> {
-        let places = self.coordinates.iter().map(|coordinate| coordinate.at_rest);
-        self.layout().arrange(places, |_| 0.0)
+        let coordinates = self.coordinates.iter().map(|coordinate| coordinate.at_rest);
+        self.layout().arrange(coordinates, |_| 0.0)
     }
 
     /// A state at the time zero from names and values; components that are not named have their values at rest.
@@ -234,9 +234,9 @@ impl Model {
     pub fn bodies(&self) -> Option<Bodies> {
         let names: Vec<Symbol> =
             self.coordinates.iter().map(|coordinate| Symbol::plain(&coordinate.name)).collect();
-        let places = match &self.known {
-            Some(known) if known.bodies.is_empty() => return None,
-            Some(known) => known.bodies.clone(),
+        let positions = match &self.known {
+            Some(properties) if properties.bodies.is_empty() => return None,
+            Some(properties) => properties.bodies.clone(),
             None if self.layout().is_of_second_order()
                 && self.coordinates.iter().all(Coordinate::is_angle) =>
             {
@@ -244,13 +244,13 @@ impl Model {
             }
             None => return None,
         };
-        Bodies::new(&places, &names).ok()
+        Bodies::new(&positions, &names).ok()
     }
 
     /// The energy gained per unit of time by a named system, a formula of the state and the time t.
     #[must_use]
     pub fn power(&self) -> Option<&Expression> {
-        self.known.as_ref().and_then(|known| known.power.as_ref())
+        self.known.as_ref().and_then(|properties| properties.power.as_ref())
     }
 
     /// The conserved energy: the known energy of a named system whose damping and driving are zero, and
@@ -296,7 +296,7 @@ fn filled<'a>(
     }
     let open: Vec<String> = open.iter().map(|name| plain(name)).collect();
     for (name, default) in defaults {
-        if values.iter().all(|(known, _)| known != name) && !open.iter().any(|it| it == name) {
+        if values.iter().all(|(given_name, _)| given_name != name) && !open.iter().any(|it| it == name) {
             values.push((name.to_owned(), formula(default)?));
         }
     }

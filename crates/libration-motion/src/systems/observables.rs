@@ -103,15 +103,15 @@ fn in_numbers(model: &Model, name: &str, formula: &Expression) -> Result<Express
     };
     let formula = model.values().iter().fold(formula.clone(), put_in);
     let rates = model.equation().own_derivatives().zip(model.equation().derivatives());
-    let formula = rates.fold(formula, |formula, (own, rate)| formula.substitute(&own, rate));
+    let formula = rates.fold(formula, |formula, (derivative, rate)| formula.substitute(&derivative, rate));
     let states = model.state_names();
     let symbols = formula.symbols().into_iter().map(|symbol| symbol.to_string());
     match symbols.into_iter().find(|symbol| symbol != "t" && !states.contains(symbol)) {
         None => Ok(formula),
         Some(symbol) => {
             let parameters = model.values().iter().map(|(name, _)| name.clone());
-            let known = states.into_iter().chain(parameters).collect();
-            Err(ObservableError::Unknown { name: name.to_owned(), symbol, known })
+            let names = states.into_iter().chain(parameters).collect();
+            Err(ObservableError::Unknown { name: name.to_owned(), symbol, known: names })
         }
     }
 }

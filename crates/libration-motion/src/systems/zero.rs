@@ -46,11 +46,11 @@ impl Model {
             formula.substitute(&Symbol::plain(name), value)
         };
         let formula = self.values().iter().fold(written, put_in);
-        let known = self.state_names();
+        let names = self.state_names();
         let in_state = self.equation().with_rates(&formula);
         let unknown = in_state.symbols().into_iter().map(|symbol| symbol.to_string());
-        match unknown.into_iter().find(|name| name != "t" && !known.contains(name)) {
-            Some(name) => Err(ConditionError::Unknown { name, known }),
+        match unknown.into_iter().find(|name| name != "t" && !names.contains(name)) {
+            Some(name) => Err(ConditionError::Unknown { name, known: names }),
             None => Ok(formula),
         }
     }

@@ -17,8 +17,8 @@ impl OverCommon {
     pub(super) fn new(series: &[Rational]) -> Self {
         let denominator = series.iter().fold(UBig::ONE, |common, one| lcm(common, one.parts().1));
         let numerator = |fraction: &Rational| {
-            let (numerator, own) = fraction.parts();
-            numerator * IBig::from(&denominator / own)
+            let (numerator, divisor) = fraction.parts();
+            numerator * IBig::from(&denominator / divisor)
         };
         Self { numerators: series.iter().map(numerator).collect(), denominator }
     }
@@ -60,8 +60,8 @@ impl OverCommon {
         let denominators: Vec<UBig> = factors.iter().zip(series).map(under).collect();
         let denominator = denominators.iter().fold(UBig::ONE, lcm);
         let mut numerators = vec![IBig::ZERO; length];
-        for ((factor, series), own) in factors.iter().zip(series).zip(&denominators) {
-            let multiplier = factor.parts().0 * IBig::from(&denominator / own);
+        for ((factor, series), divisor) in factors.iter().zip(series).zip(&denominators) {
+            let multiplier = factor.parts().0 * IBig::from(&denominator / divisor);
             for (sum, numerator) in numerators.iter_mut().zip(&series.numerators) {
                 if !numerator.is_zero() {
                     *sum += numerator * &multiplier;
@@ -74,9 +74,9 @@ impl OverCommon {
     /// self + xᵏ·other.
     fn plus_shifted(self, other: &Self, k: usize) -> Self {
         let denominator = lcm(self.denominator.clone(), &other.denominator);
-        let (own, others) =
+        let (multiplier, others) =
             (IBig::from(&denominator / &self.denominator), IBig::from(&denominator / &other.denominator));
-        let mut numerators: Vec<IBig> = self.numerators.into_iter().map(|n| n * &own).collect();
+        let mut numerators: Vec<IBig> = self.numerators.into_iter().map(|n| n * &multiplier).collect();
         for (sum, numerator) in numerators.iter_mut().skip(k).zip(&other.numerators) {
             *sum += numerator * &others;
         }

@@ -77,8 +77,8 @@ impl<'a> Common<'a> {
     fn fraction(&mut self, numerator: IBig) -> Rational {
         let fraction = Rational::from_parts(numerator, self.value.clone());
         if self.excess.as_ref().is_none_or(|excess| !excess.is_one()) {
-            let own = &self.value / fraction.parts().1;
-            self.excess = Some(self.excess.as_ref().map_or(own.clone(), |excess| excess.gcd(&own)));
+            let needed = &self.value / fraction.parts().1;
+            self.excess = Some(self.excess.as_ref().map_or(needed.clone(), |excess| excess.gcd(&needed)));
         }
         fraction
     }

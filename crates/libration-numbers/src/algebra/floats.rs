@@ -22,8 +22,8 @@ impl Floats {
         if n == 0 {
             return Some(self.integer(1));
         }
-        let places = a.exponent()?.unsigned_abs().max(1).checked_mul(usize::try_from(n).ok()?)?;
-        if places > MOST_PLACES {
+        let bits = a.exponent()?.unsigned_abs().max(1).checked_mul(usize::try_from(n).ok()?)?;
+        if bits > MOST_PLACES {
             return None;
         }
         let spare = usize::try_from(n.ilog2()).ok()? + 8;

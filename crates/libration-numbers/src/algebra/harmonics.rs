@@ -99,15 +99,15 @@ impl<F: Ring> HarmonicSums<F> {
         for (k, x) in a.iter().enumerate().filter(|(_, x)| !self.numbers.is_zero(x)) {
             for (l, y) in b.iter().enumerate().filter(|(_, y)| !self.numbers.is_zero(y)) {
                 let product = self.numbers.multiply(x, y);
-                self.place(sums, k + l, &product, of_sum == Placing::Minus);
+                self.add_to(sums, k + l, &product, of_sum == Placing::Minus);
                 let swapped = of_difference == Placing::Odd && k < l;
                 let minus = of_difference == Placing::Minus || swapped;
-                self.place(sums, k.abs_diff(l), &product, minus);
+                self.add_to(sums, k.abs_diff(l), &product, minus);
             }
         }
     }
 
-    fn place(&self, sums: &mut Vec<F::Element>, k: usize, value: &F::Element, minus: bool) {
+    fn add_to(&self, sums: &mut Vec<F::Element>, k: usize, value: &F::Element, minus: bool) {
         if sums.len() <= k {
             sums.resize(k + 1, self.numbers.zero());
         }
@@ -204,8 +204,8 @@ impl<F: Ring> PhaseRing for HarmonicSums<F> {
     fn sum_of_harmonics(&self, terms: &[(usize, HarmonicPair<F::Element>)]) -> Self::Element {
         let mut sum = self.zero();
         for (k, HarmonicPair { cosine, sine }) in terms {
-            self.place(&mut sum.cosines, *k, cosine, false);
-            self.place(&mut sum.sines, *k, sine, false);
+            self.add_to(&mut sum.cosines, *k, cosine, false);
+            self.add_to(&mut sum.sines, *k, sine, false);
         }
         sum
     }

@@ -31,10 +31,10 @@ fn largest_bits(coefficients: &[IBig]) -> usize {
 fn pack(coefficients: &[IBig], slot: usize) -> IBig {
     let part = |sign: Sign| {
         let mut bytes = vec![0; coefficients.len() * slot / 8];
-        for (place, coefficient) in bytes.chunks_mut(slot / 8).zip(coefficients) {
+        for (part_of_bytes, coefficient) in bytes.chunks_mut(slot / 8).zip(coefficients) {
             if coefficient.sign() == sign {
                 let magnitude = coefficient.unsigned_abs().to_le_bytes();
-                place[..magnitude.len()].copy_from_slice(&magnitude);
+                part_of_bytes[..magnitude.len()].copy_from_slice(&magnitude);
             }
         }
         IBig::from(UBig::from_le_bytes(&bytes))

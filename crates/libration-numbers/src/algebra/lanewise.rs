@@ -78,15 +78,15 @@ pub fn square<E: Copy>(on: &impl Rounded<E>, a: &[E]) -> E {
 #[inline(always)]
 pub fn quotient<E: Copy>(on: &impl Rounded<E>, a_n: E, c: &[E], b: &[E]) -> Option<E> {
     let n = c.len();
-    let known = on.multiply_add(b[n], c[0], before_the_last(on, &b[1..n], &c[1..]));
-    on.divide(&on.subtract(&a_n, &known), &b[0])
+    let sum = on.multiply_add(b[n], c[0], before_the_last(on, &b[1..n], &c[1..]));
+    on.divide(&on.subtract(&a_n, &sum), &b[0])
 }
 
 /// cₙ of the c with c′ = a′·b, from aₙ, the weighted a₁ … aₙ and b₀ … bₙ₋₁; the contribution of aₙ uses its unweighted value.
 #[inline(always)]
 pub fn integral<E: Copy>(on: &impl Rounded<E>, a_n: E, weighted_a: &[E], b: &[E]) -> Option<E> {
     let n = b.len();
-    let known = before_the_last(on, &weighted_a[..n - 1], &b[1..]);
-    let known = on.over_integer(&known, u64::try_from(n).unwrap_or(u64::MAX))?;
-    Some(on.multiply_add(a_n, b[0], known))
+    let sum = before_the_last(on, &weighted_a[..n - 1], &b[1..]);
+    let mean = on.over_integer(&sum, u64::try_from(n).unwrap_or(u64::MAX))?;
+    Some(on.multiply_add(a_n, b[0], mean))
 }

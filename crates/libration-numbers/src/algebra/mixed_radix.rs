@@ -34,9 +34,9 @@ impl MixedRadix {
         let field = PrimeField::new(prime);
         let mut product = field.unit();
         let mut products = Vec::with_capacity(self.places.len());
-        for place in &self.places {
+        for digit in &self.places {
             products.push(product);
-            product = field.product(product, field.integer(place.field.prime()));
+            product = field.product(product, field.integer(digit.field.prime()));
         }
         let inverse = field.inverse(product).expect("the primes differ");
         self.places.push(RadixPrime { field, products, inverse });
@@ -48,12 +48,12 @@ impl MixedRadix {
 
     /// An integer modulo each prime, in Montgomery form.
     pub fn residues(&self, value: &UBig) -> Vec<u32> {
-        self.places.iter().map(|place| place.field.integer(value % place.field.prime())).collect()
+        self.places.iter().map(|digit| digit.field.integer(value % digit.field.prime())).collect()
     }
 
     /// The residues of a product.
     pub(super) fn products(&self, a: &[u32], b: &[u32]) -> Vec<u32> {
-        self.places.iter().zip(a.iter().zip(b)).map(|(place, (&a, &b))| place.field.product(a, b)).collect()
+        self.places.iter().zip(a.iter().zip(b)).map(|(digit, (&a, &b))| digit.field.product(a, b)).collect()
     }
 
     /// The digits of eight numbers times a factor, from their residues modulo the k-th prime and those of the factor. The computation stops as
@@ -61,10 +61,10 @@ impl MixedRadix {
     pub fn digits(&self, residues: impl Fn(usize) -> Residues, factor: &[u32]) -> Vec<Residues> {
         let mut digits: Vec<Residues> = Vec::with_capacity(self.places.len());
         let mut ends = Ends::default();
-        for (k, place) in self.places.iter().enumerate() {
-            let next = place.next_digits(&digits, &residues(k), factor[k]);
+        for (k, digit) in self.places.iter().enumerate() {
+            let next = digit.next_digits(&digits, &residues(k), factor[k]);
             digits.push(next);
-            if ends.suffice(&next, place.field.prime()) {
+            if ends.suffice(&next, digit.field.prime()) {
                 break;
             }
         }
@@ -91,7 +91,7 @@ impl MixedRadix {
     /// The number with these digits.
     pub(super) fn value(&self, digits: impl DoubleEndedIterator<Item = u32> + ExactSizeIterator) -> UBig {
         let mut words: Vec<u64> = Vec::with_capacity(digits.len() / 2 + 1);
-        let primes = self.places[..digits.len()].iter().map(|place| u64::from(place.field.prime()));
+        let primes = self.places[..digits.len()].iter().map(|digit| u64::from(digit.field.prime()));
         let mut pairs = digits.map(u64::from).zip(primes).rev();
         // Two digits at a time make one step with a machine word; an odd digit remains at the end.
         while let Some((mut digit, mut radix)) = pairs.next() {
@@ -106,8 +106,8 @@ impl MixedRadix {
     /// The product of the first primes.
     pub fn modulus(&self, primes: usize) -> UBig {
         let mut words = vec![1];
-        for place in &self.places[..primes] {
-            multiply_add(&mut words, u64::from(place.field.prime()), 0);
+        for digit in &self.places[..primes] {
+            multiply_add(&mut words, u64::from(digit.field.prime()), 0);
         }
         from_words(&words)
     }
@@ -152,13 +152,13 @@ impl Ends {
 
 impl RadixPrime {
     fn next_digits(&self, digits: &[Residues], residues: &Residues, factor: u32) -> Residues {
-        dispatch_slices(NextDigits { place: self, digits, residues, factor })
+        dispatch_slices(NextDigits { prime: self, digits, residues, factor })
     }
 }
 
 /// The digits for one prime from the digits for the primes before it.
 struct NextDigits<'a> {
-    place: &'a RadixPrime,
+    prime: &'a RadixPrime,
     digits: &'a [Residues],
     residues: &'a Residues,
     factor: u32,
@@ -169,9 +169,9 @@ impl Kernel for NextDigits<'_> {
 
     #[inline(always)]
     fn run(self) -> Residues {
-        let field = self.place.field;
+        let field = self.prime.field;
         let mut sums: Sums = [0; LANES];
-        for (digits, products) in self.digits.chunks(PRODUCTS).zip(self.place.products.chunks(PRODUCTS)) {
+        for (digits, products) in self.digits.chunks(PRODUCTS).zip(self.prime.products.chunks(PRODUCTS)) {
             for sum in &mut sums {
                 *sum = field.folded(*sum);
             }
@@ -183,9 +183,9 @@ impl Kernel for NextDigits<'_> {
         }
         let mut next = [0; LANES];
         for ((next, &residue), &sum) in next.iter_mut().zip(self.residues).zip(&sums) {
-            let known = field.reduced(field.folded(sum));
+            let lower = field.reduced(field.folded(sum));
             let residue = field.representative(field.product(residue, self.factor));
-            *next = field.product(field.difference(residue, known), self.place.inverse);
+            *next = field.product(field.difference(residue, lower), self.prime.inverse);
         }
         next
     }

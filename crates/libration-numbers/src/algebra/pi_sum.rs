@@ -81,9 +81,9 @@ impl fmt::Display for PiSum {
         if self.terms.is_empty() {
             return formatter.write_str("0");
         }
-        for (place, (power, factor)) in self.terms.iter().enumerate() {
+        for (index, (power, factor)) in self.terms.iter().enumerate() {
             let text = term(*power, factor);
-            match (place, text.strip_prefix('-')) {
+            match (index, text.strip_prefix('-')) {
                 (0, _) => formatter.write_str(&text)?,
                 (_, Some(size)) => write!(formatter, " - {size}")?,
                 (_, None) => write!(formatter, " + {text}")?,

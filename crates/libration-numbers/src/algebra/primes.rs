@@ -30,9 +30,9 @@ pub fn is_prime(n: u32) -> bool {
         let mut power = raise(base, (n - 1) >> twos);
         power == 1
             || (0..twos).any(|_| {
-                let found = power == n - 1;
+                let is_minus_one = power == n - 1;
                 power = multiply(power, power);
-                found
+                is_minus_one
             })
     };
     n > 1 && BASES.iter().all(|&base| passes(base, (n - 1).trailing_zeros()))

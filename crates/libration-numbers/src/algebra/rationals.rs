@@ -73,13 +73,13 @@ impl Ring for Rationals {
         let (mut sum, mut denominator) = (IBig::ZERO, UBig::ONE);
         for (a, b) in a.iter().zip(b.iter().rev()).filter(|(a, b)| !a.is_zero() && !b.is_zero()) {
             let ((a, under_a), (b, under_b)) = (a.parts(), b.parts());
-            let own = under_a * under_b;
-            let (quotient, remainder) = (&denominator).div_rem(&own);
+            let product = under_a * under_b;
+            let (quotient, remainder) = (&denominator).div_rem(&product);
             if remainder.is_zero() {
                 sum += a * b * IBig::from(quotient);
             } else {
-                let common = (&denominator).gcd(&own);
-                let (factor, others) = (&own / &common, &denominator / common);
+                let common = (&denominator).gcd(&product);
+                let (factor, others) = (&product / &common, &denominator / common);
                 sum = sum * IBig::from(factor.clone()) + a * b * IBig::from(others);
                 denominator *= factor;
             }

@@ -49,7 +49,7 @@ pub struct Place {
 pub struct Stopped<E> {
     pub error: E,
     /// The numbers of the lowest orders, with zeros for the higher ones, and the highest of these orders; `None` if no order was certain.
-    pub known: Option<(Vec<Rational>, usize)>,
+    pub certain: Option<(Vec<Rational>, usize)>,
 }
 
 /// Reconstructs the numbers from their images: primes are added until the fractions agree with primes that did not contribute to them.
@@ -64,14 +64,18 @@ pub fn reconstruct<I: Images>(
         let image = match images.image(&fields) {
             Ok(Some(image)) => image,
             Ok(None) => continue,
-            Err(error) => return Err(Stopped { error, known: fractions.and_then(Fractions::of_low_orders) }),
+            Err(error) => {
+                return Err(Stopped { error, certain: fractions.and_then(Fractions::of_low_orders) });
+            }
         };
-        let found = fractions.get_or_insert_with(|| Fractions::new(&images.places()));
-        found.push(&fields, &image);
-        match found.advance(images) {
-            Ok(true) => return Ok(fractions.map(|found| found.numbers)),
+        let numbers = fractions.get_or_insert_with(|| Fractions::new(&images.places()));
+        numbers.push(&fields, &image);
+        match numbers.advance(images) {
+            Ok(true) => return Ok(fractions.map(|solved| solved.numbers)),
             Ok(false) => {}
-            Err(error) => return Err(Stopped { error, known: fractions.and_then(Fractions::of_low_orders) }),
+            Err(error) => {
+                return Err(Stopped { error, certain: fractions.and_then(Fractions::of_low_orders) });
+            }
         }
     }
     Ok(None)
@@ -100,17 +104,17 @@ struct Fractions {
 }
 
 impl Fractions {
-    fn new(places: &[Place]) -> Self {
+    fn new(positions: &[Place]) -> Self {
         let mut steps: BTreeMap<Place, Vec<usize>> = BTreeMap::new();
-        for (at, &place) in places.iter().enumerate() {
-            steps.entry(place).or_default().push(at);
+        for (at, &position) in positions.iter().enumerate() {
+            steps.entry(position).or_default().push(at);
         }
         Self {
             radix: MixedRadix::default(),
-            residues: vec![None; places.len()],
+            residues: vec![None; positions.len()],
             steps: steps.into_iter().collect(),
             done: 0,
-            numbers: vec![Rational::from(0); places.len()],
+            numbers: vec![Rational::from(0); positions.len()],
             denominators: BTreeMap::new(),
         }
     }
@@ -139,12 +143,12 @@ impl Fractions {
 
     /// Reconstructs the numbers of the next step; `None` if they need more primes.
     fn solve_next(&mut self) -> Option<()> {
-        let (place, wanted) = &self.steps[self.done];
+        let (position, wanted) = &self.steps[self.done];
         let present: Vec<usize> = wanted.iter().copied().filter(|&at| self.residues[at].is_some()).collect();
         if present.is_empty() {
             return Some(());
         }
-        let growth = self.denominators.entry(place.family).or_default();
+        let growth = self.denominators.entry(position.family).or_default();
         let mut common = Common::new(&self.radix, growth.expected());
         for some in present.chunks(LANES) {
             let some: Vec<(usize, &[Residues])> =
@@ -161,12 +165,14 @@ impl Fractions {
     /// The numbers that are certain, and the highest order that is complete.
     fn of_low_orders(self) -> Option<(Vec<Rational>, usize)> {
         let complete = match self.steps.get(self.done) {
-            Some((place, _)) => place.order.checked_sub(1)?,
+            Some((position, _)) => position.order.checked_sub(1)?,
             None => self.steps.last()?.0.order,
         };
         let mut numbers = self.numbers;
-        for (place, at) in self.steps.iter().flat_map(|(place, all)| all.iter().map(move |&at| (place, at))) {
-            if place.order > complete {
+        for (position, at) in
+            self.steps.iter().flat_map(|(position, all)| all.iter().map(move |&at| (position, at)))
+        {
+            if position.order > complete {
                 numbers[at] = Rational::from(0);
             }
         }

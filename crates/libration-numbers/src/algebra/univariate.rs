@@ -18,8 +18,8 @@ pub fn divided(polynomial: &[Rational], by: &[Rational]) -> Option<(Vec<Rational
     while rest.len() >= by.len() {
         let factor = rest.last()?.checked_div(leading)?;
         let shift = rest.len() - by.len();
-        for (place, coefficient) in rest[shift..].iter_mut().zip(by) {
-            *place = Rationals.subtract(place, &Rationals.multiply(&factor, coefficient));
+        for (entry, coefficient) in rest[shift..].iter_mut().zip(by) {
+            *entry = Rationals.subtract(entry, &Rationals.multiply(&factor, coefficient));
         }
         quotient.push(factor);
         rest.pop();

@@ -32,20 +32,20 @@ pub fn from_digits(digits: &str, exponent: i64) -> Option<Rational> {
 /// A nonnegative number as a decimal such as `12`, `0.125` or `1e-30`; `None` if the decimals do not end.
 pub fn to_decimal(value: &Rational) -> Option<String> {
     let (numerator, denominator) = value.parts();
-    let places = decimal_places(denominator)?;
-    let scaled = numerator * IBig::from(UBig::from(10u8).pow(places) / denominator);
+    let decimals = decimal_places(denominator)?;
+    let scaled = numerator * IBig::from(UBig::from(10u8).pow(decimals) / denominator);
     let digits = scaled.to_string();
     let significant = digits.trim_end_matches('0');
     let zeros = digits.len() - significant.len();
     Some(if zeros > ZEROS {
         format!("{significant}e{zeros}")
-    } else if places > digits.len() + ZEROS {
-        format!("{digits}e-{places}")
-    } else if places == 0 {
+    } else if decimals > digits.len() + ZEROS {
+        format!("{digits}e-{decimals}")
+    } else if decimals == 0 {
         digits
     } else {
-        let padded = format!("{digits:0>width$}", width = places + 1);
-        let (whole, fraction) = padded.split_at(padded.len() - places);
+        let padded = format!("{digits:0>width$}", width = decimals + 1);
+        let (whole, fraction) = padded.split_at(padded.len() - decimals);
         format!("{whole}.{fraction}")
     })
 }

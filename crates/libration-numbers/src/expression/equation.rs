@@ -62,8 +62,9 @@ impl Equation {
     /// The equations with these highest derivatives of the variables.
     #[doc(hidden)]
     pub fn of_derivatives(variables: Vec<String>, orders: Vec<Order>, derivatives: Vec<Expression>) -> Self {
-        let own = |(name, order): (&String, &Order)| Expression::Symbol(order.derivative_of(name));
-        let written = variables.iter().zip(&orders).map(own).zip(derivatives.iter().cloned()).collect();
+        let derivative = |(name, order): (&String, &Order)| Expression::Symbol(order.derivative_of(name));
+        let written =
+            variables.iter().zip(&orders).map(derivative).zip(derivatives.iter().cloned()).collect();
         Self { variables, orders, written, derivatives }
     }
 
@@ -114,8 +115,8 @@ impl Equation {
     /// Factor of each highest derivative in the equations as written: the mass, in `m x'' + k x = 0`.
     #[doc(hidden)]
     pub fn inertias(&self) -> Vec<Expression> {
-        let factor = |((left, right), own): (&Sides, Symbol)| {
-            difference(left.derivative(&own), right.derivative(&own))
+        let factor = |((left, right), derivative): (&Sides, Symbol)| {
+            difference(left.derivative(&derivative), right.derivative(&derivative))
         };
         self.written.iter().zip(self.own_derivatives()).map(factor).collect()
     }
@@ -137,14 +138,16 @@ impl Equation {
     /// ```
     #[must_use]
     pub fn with_rates(&self, formula: &Expression) -> Expression {
-        let own = self.own_derivatives().zip(&self.derivatives);
-        let rates = own.filter(|(own, _)| own.primes == 1 && formula.contains(own));
+        let derivatives = self.own_derivatives().zip(&self.derivatives);
+        let rates =
+            derivatives.filter(|(derivative, _)| derivative.primes == 1 && formula.contains(derivative));
         let rates: Vec<_> = rates.collect();
         match rates.is_empty() {
             true => formula.clone(),
             false => {
-                let put_in =
-                    |formula: Expression, (own, rate): (Symbol, &Expression)| formula.substitute(&own, rate);
+                let put_in = |formula: Expression, (derivative, rate): (Symbol, &Expression)| {
+                    formula.substitute(&derivative, rate)
+                };
                 rates.into_iter().fold(formula.clone(), put_in).simplified()
             }
         }
@@ -163,8 +166,8 @@ impl Equation {
     /// # Errors
     /// A name that does not denote a parameter.
     pub fn parameters_called(&self, names: &[&str]) -> Result<Vec<String>, EquationError> {
-        let known = self.parameters();
-        names.iter().map(|name| Ok(parameter(name, &known)?.name)).collect()
+        let parameters = self.parameters();
+        names.iter().map(|name| Ok(parameter(name, &parameters)?.name)).collect()
     }
 
     /// The equations with constants in place of parameters, and with arithmetic done where a constant was inserted.
@@ -173,11 +176,14 @@ impl Equation {
     /// A name that does not denote a parameter, or is given twice; a value that contains symbols or is undefined, such as 1/0; an equation that
     /// is undefined, or loses its highest derivative, for these values.
     pub fn with(&self, values: &[(&str, Expression)]) -> Result<Self, EquationError> {
-        let known = self.parameters();
+        let parameters = self.parameters();
         let mut written = self.written.clone();
-        for (place, (name, value)) in values.iter().enumerate() {
-            let symbol = parameter(name, &known)?;
-            if values[..place].iter().any(|(earlier, _)| parameter(earlier, &known).as_ref() == Ok(&symbol)) {
+        for (index, (name, value)) in values.iter().enumerate() {
+            let symbol = parameter(name, &parameters)?;
+            if values[..index]
+                .iter()
+                .any(|(earlier, _)| parameter(earlier, &parameters).as_ref() == Ok(&symbol))
+            {
                 return Err(EquationError::SetTwice(symbol.name));
             }
             if let Some(inside) = value.symbols().pop_first() {
@@ -191,11 +197,11 @@ impl Equation {
             }
         }
         refuse_without_value(&written)?;
-        for (sides, (own, order)) in written.iter().zip(self.own_derivatives().zip(&self.orders)) {
+        for (sides, (derivative, order)) in written.iter().zip(self.own_derivatives().zip(&self.orders)) {
             let (left, right) = sides;
-            if !left.contains(&own) && !right.contains(&own) {
+            if !left.contains(&derivative) && !right.contains(&derivative) {
                 return Err(match order {
-                    Order::First => EquationError::DropsOut(own),
+                    Order::First => EquationError::DropsOut(derivative),
                     Order::Second => EquationError::without_acceleration(left, right),
                 });
             }
@@ -206,16 +212,18 @@ impl Equation {
     /// Solves each equation for its own highest derivative.
     fn solved(written: Vec<Sides>) -> Result<Self, EquationError> {
         refuse_without_value(&written)?;
-        let own = own_derivatives(&written)?;
-        if let Some(twice) = own.iter().enumerate().find_map(|(i, it)| own[..i].contains(it).then_some(it)) {
+        let highest = own_derivatives(&written)?;
+        if let Some(twice) =
+            highest.iter().enumerate().find_map(|(i, it)| highest[..i].contains(it).then_some(it))
+        {
             return Err(EquationError::SolvedTwice(twice.clone()));
         }
-        let variables: Vec<String> = own.iter().map(|symbol| symbol.name.clone()).collect();
+        let variables: Vec<String> = highest.iter().map(|symbol| symbol.name.clone()).collect();
         refuse_foreign_derivatives(&written, &variables)?;
-        let pairs = written.iter().zip(&own);
+        let pairs = written.iter().zip(&highest);
         let derivatives =
             pairs.map(|((left, right), symbol)| solve(left, right, symbol)).collect::<Result<_, _>>()?;
-        let orders = own.iter().map(Order::of).collect();
+        let orders = highest.iter().map(Order::of).collect();
         let solved = Self { variables, orders, written, derivatives };
         let derivatives = solved.derivatives.iter().map(|formula| solved.with_rates(formula)).collect();
         Ok(Self { derivatives, ..solved })
@@ -249,10 +257,12 @@ impl Equation {
 const TIME: &str = "t";
 
 /// The parameter with this name, which may be in the notation of a formula: omega0 for ω0.
-fn parameter(name: &str, known: &BTreeSet<String>) -> Result<Symbol, EquationError> {
+fn parameter(name: &str, parameters: &BTreeSet<String>) -> Result<Symbol, EquationError> {
     match name.parse() {
-        Ok(Expression::Symbol(symbol)) if symbol.primes == 0 && known.contains(&symbol.name) => Ok(symbol),
-        _ => Err(EquationError::unknown_parameter(name, known)),
+        Ok(Expression::Symbol(symbol)) if symbol.primes == 0 && parameters.contains(&symbol.name) => {
+            Ok(symbol)
+        }
+        _ => Err(EquationError::unknown_parameter(name, parameters)),
     }
 }
 
@@ -273,19 +283,19 @@ fn refuse_foreign_derivatives(written: &[Sides], variables: &[String]) -> Result
 }
 
 /// Solves left = right, which has the form a·x″ + b = 0, for x″ (or x′).
-fn solve(left: &Expression, right: &Expression, own: &Symbol) -> Result<Expression, EquationError> {
-    if *left == Expression::Symbol(own.clone()) && !right.contains(own) {
+fn solve(left: &Expression, right: &Expression, derivative: &Symbol) -> Result<Expression, EquationError> {
+    if *left == Expression::Symbol(derivative.clone()) && !right.contains(derivative) {
         return Ok(right.simplified());
     }
     let form = difference(left.simplified(), right.simplified());
-    let factor = form.derivative(own);
-    if factor.contains(own) {
-        return Err(EquationError::NotLinear(own.clone()));
+    let factor = form.derivative(derivative);
+    if factor.contains(derivative) {
+        return Err(EquationError::NotLinear(derivative.clone()));
     }
     if factor.vanishes() {
-        return Err(EquationError::DropsOut(own.clone()));
+        return Err(EquationError::DropsOut(derivative.clone()));
     }
-    let rest = form.substitute(own, &Expression::from(0)).simplified();
+    let rest = form.substitute(derivative, &Expression::from(0)).simplified();
     Ok(quotient(opposite(rest), factor))
 }
 
@@ -342,8 +352,8 @@ fn one_equation(parser: &mut Parser) -> Result<Sides, EquationError> {
 /// Writes the equations as they were interpreted, separated by `;`.
 impl fmt::Display for Equation {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (place, (left, right)) in self.written.iter().enumerate() {
-            let separator = if place == 0 { "" } else { "; " };
+        for (index, (left, right)) in self.written.iter().enumerate() {
+            let separator = if index == 0 { "" } else { "; " };
             write!(formatter, "{separator}{left} = {right}")?;
         }
         Ok(())

@@ -230,15 +230,15 @@ impl<P: Copy, X> Instruction<P, X> {
     /// The instruction for the operation at a position; `None` for inputs and constants. A row of degree zero is constant.
     pub fn new<'a>(
         operation: &'a Operation,
-        place: usize,
+        position: usize,
         rows: impl Fn(usize) -> Weighted<P>,
         reciprocal: impl Fn(usize) -> Option<P>,
         degree: impl Fn(usize) -> usize,
         exponent: impl Fn(&'a Rational) -> X,
     ) -> Option<Self> {
-        let (at, weighted) = (|place: usize| rows(place).plain, |place: usize| rows(place).weighted);
-        let constant = |place: usize| degree(place) == 0;
-        let out = at(place);
+        let (at, weighted) = (|index: usize| rows(index).plain, |index: usize| rows(index).weighted);
+        let constant = |index: usize| degree(index) == 0;
+        let out = at(position);
         Some(match *operation {
             Operation::Input(_) | Operation::Number(_) | Operation::Pi => return None,
             Operation::Negate(a) => Self::Negate { a: at(a), out },
@@ -253,7 +253,7 @@ impl<P: Copy, X> Instruction<P, X> {
             }
             Operation::Divide(a, b) => Self::Divide { a: at(a), b: at(b), out },
             Operation::Power(a, ref power) => {
-                Self::Power { exponent: exponent(power), a: rows(a), out: rows(place) }
+                Self::Power { exponent: exponent(power), a: rows(a), out: rows(position) }
             }
             Operation::Exp(a) => Self::Exp { a: rows(a), out },
             Operation::Paired { of, other, slope, .. } => {
@@ -262,10 +262,10 @@ impl<P: Copy, X> Instruction<P, X> {
             Operation::Tangent { function, of } => {
                 let circular = matches!(function.rule(), Rule::Quotient(Pair { slope: Slope::Minus, .. }));
                 let slope = if circular { Slope::Plus } else { Slope::Minus };
-                Self::Tangent { slope, a: weighted(of), square: at(place + 1), out }
+                Self::Tangent { slope, a: weighted(of), square: at(position + 1), out }
             }
             Operation::Inverse { of, divisor, .. } => {
-                Self::Inverse { a: weighted(of), divisor: at(divisor), out: rows(place) }
+                Self::Inverse { a: weighted(of), divisor: at(divisor), out: rows(position) }
             }
             Operation::Abs(a) => Self::Abs { a: at(a), out },
             Operation::Sign(a) => Self::Sign { a: at(a), out },
@@ -299,9 +299,9 @@ impl<P: Copy, X> Instruction<P, X> {
             }
             Self::Divide { a, b, out } => (out, on.quotient(at(a), before(out), through(b))?),
             Self::Power { ref exponent, a, out } => {
-                let own = Both { plain: before(out.plain), weighted: before(out.weighted) };
+                let lower = Both { plain: before(out.plain), weighted: before(out.weighted) };
                 let of = Both { plain: through(a.plain), weighted: through(a.weighted) };
-                let value = weighted_power(ring, &on.exponent(exponent)?, of, own);
+                let value = weighted_power(ring, &on.exponent(exponent)?, of, lower);
                 let later = on.begins_beyond(exponent, n);
                 (out.plain, over_n(on.over_base(&value, first(a.plain), later)?)?)
             }
@@ -318,8 +318,8 @@ impl<P: Copy, X> Instruction<P, X> {
                 (out, over_n(ring.add(at(a), &signed(slope, driven)))?)
             }
             Self::Inverse { a, divisor, out } => {
-                let own = &on.row(out.weighted)[1..n];
-                (out.plain, over_n(weighted_integral_of_quotient(ring, at(a), own, before(divisor))?)?)
+                let lower = &on.row(out.weighted)[1..n];
+                (out.plain, over_n(weighted_integral_of_quotient(ring, at(a), lower, before(divisor))?)?)
             }
             Self::Abs { a, out } => (out, ring.multiply(&ring.divide(first(out), first(a))?, at(a))),
             // The sign is constant on either side of zero; at zero it has no series.

@@ -15,7 +15,7 @@ use crate::algebra::{Rational, Ring};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SeriesError {
     /// The index of the operation on the tape.
-    pub(crate) place: usize,
+    pub(crate) position: usize,
 }
 
 /// The first coefficients of every result on a tape.
@@ -43,13 +43,13 @@ impl<'a, R: Ring> Jet<'a, R> {
 
     /// Restarts with other zeroth coefficients, in the same memory.
     pub fn restart(&mut self, inputs: &[R::Element]) -> Result<(), SeriesError> {
-        for place in 0..self.places.len() {
-            let keep = usize::from(self.tape.is_constant(place));
-            self.places[place].plain.truncate(keep);
-            self.places[place].weighted.truncate(keep);
-            if self.places[place].plain.is_empty() {
-                let value = self.value(place, inputs).ok_or(SeriesError { place })?;
-                self.push(place, value);
+        for position in 0..self.places.len() {
+            let keep = usize::from(self.tape.is_constant(position));
+            self.places[position].plain.truncate(keep);
+            self.places[position].weighted.truncate(keep);
+            if self.places[position].plain.is_empty() {
+                let value = self.value(position, inputs).ok_or(SeriesError { position })?;
+                self.push(position, value);
             }
         }
         Ok(())
@@ -58,8 +58,8 @@ impl<'a, R: Ring> Jet<'a, R> {
     /// A jet with zeroth coefficients that were computed elsewhere, one for each position of the tape.
     pub fn with_values(ring: &'a R, tape: &'a Tape, values: Vec<R::Element>) -> Self {
         let mut jet = Self::empty(ring, tape);
-        for (place, value) in values.into_iter().enumerate() {
-            jet.push(place, value);
+        for (position, value) in values.into_iter().enumerate() {
+            jet.push(position, value);
         }
         jet
     }
@@ -75,8 +75,8 @@ impl<'a, R: Ring> Jet<'a, R> {
     }
 
     /// The coefficients at a position of the tape.
-    pub fn series(&self, place: usize) -> &[R::Element] {
-        &self.places[place].plain
+    pub fn series(&self, position: usize) -> &[R::Element] {
+        &self.places[position].plain
     }
 
     /// The zeroth coefficients at all positions.
@@ -86,9 +86,9 @@ impl<'a, R: Ring> Jet<'a, R> {
 
     /// Appends the next coefficient at every position, given those of the inputs.
     pub fn extend(&mut self, inputs: &[R::Element]) -> Result<(), SeriesError> {
-        for place in 0..self.places.len() {
-            let value = self.coefficient(place, inputs).ok_or(SeriesError { place })?;
-            self.push(place, value);
+        for position in 0..self.places.len() {
+            let value = self.coefficient(position, inputs).ok_or(SeriesError { position })?;
+            self.push(position, value);
         }
         Ok(())
     }
@@ -106,7 +106,7 @@ impl<'a, R: Ring> Jet<'a, R> {
     pub fn gains(&self, input: usize) -> Result<Vec<R::Element>, SeriesError> {
         let values = self.values().cloned().collect();
         let mut jet = Self::with_values(self.ring, self.tape, values);
-        let one = self.ring.rational(&1.into()).ok_or(SeriesError { place: 0 })?;
+        let one = self.ring.rational(&1.into()).ok_or(SeriesError { position: 0 })?;
         let seed = |n: usize| if n == input { one.clone() } else { self.ring.zero() };
         jet.extend(&(0..self.tape.inputs()).map(seed).collect::<Vec<_>>())?;
         Ok(jet.places.into_iter().map(|mut series| series.plain.swap_remove(1)).collect())
@@ -117,25 +117,25 @@ impl<'a, R: Ring> Jet<'a, R> {
         if self.ring.is_zero(change) {
             return;
         }
-        for (place, gain) in gains.iter().enumerate().filter(|(_, gain)| !self.ring.is_zero(gain)) {
-            let last = self.places[place].plain.pop().expect("a jet has its zeroth coefficients");
-            self.places[place].weighted.pop();
+        for (position, gain) in gains.iter().enumerate().filter(|(_, gain)| !self.ring.is_zero(gain)) {
+            let last = self.places[position].plain.pop().expect("a jet has its zeroth coefficients");
+            self.places[position].weighted.pop();
             let amended = self.ring.add(&last, &self.ring.multiply(gain, change));
-            self.push(place, amended);
+            self.push(position, amended);
         }
     }
 
-    fn push(&mut self, place: usize, value: R::Element) {
-        let series = &mut self.places[place];
-        if self.tape.is_weighted(place) {
+    fn push(&mut self, position: usize, value: R::Element) {
+        let series = &mut self.places[position];
+        if self.tape.is_weighted(position) {
             let order = i64::try_from(series.plain.len()).unwrap_or(i64::MAX);
             series.weighted.push(self.ring.times_integer(&value, order));
         }
         series.plain.push(value);
     }
 
-    fn value(&self, place: usize, inputs: &[R::Element]) -> Option<R::Element> {
-        match self.tape.operations()[place] {
+    fn value(&self, position: usize, inputs: &[R::Element]) -> Option<R::Element> {
+        match self.tape.operations()[position] {
             Operation::Input(number) => inputs.get(number).cloned(),
             Operation::Number(ref value) => self.ring.rational(value),
             Operation::Pi => self.ring.pi(),
@@ -144,31 +144,33 @@ impl<'a, R: Ring> Jet<'a, R> {
     }
 
     /// The next coefficient at a position, from those of the operands.
-    fn coefficient(&self, place: usize, inputs: &[R::Element]) -> Option<R::Element> {
-        if self.tape.is_constant(place) {
+    fn coefficient(&self, position: usize, inputs: &[R::Element]) -> Option<R::Element> {
+        if self.tape.is_constant(position) {
             return Some(self.ring.zero());
         }
-        let operation = &self.tape.operations()[place];
+        let operation = &self.tape.operations()[position];
         if let Operation::Input(number) = *operation {
             return inputs.get(number).cloned();
         }
-        let rows =
-            |place: usize| Weighted { plain: plain(place), weighted: SeriesRow { place, weighted: true } };
-        let degree = |place: usize| if self.tape.is_constant(place) { 0 } else { usize::MAX };
-        let instruction = Instruction::new(operation, place, rows, |_| None, degree, |exponent| exponent)?;
-        instruction.evaluate(self, self.places[place].plain.len()).map(|(_, value)| value)
+        let rows = |operand: usize| Weighted {
+            plain: plain(operand),
+            weighted: SeriesRow { position: operand, weighted: true },
+        };
+        let degree = |operand: usize| if self.tape.is_constant(operand) { 0 } else { usize::MAX };
+        let instruction = Instruction::new(operation, position, rows, |_| None, degree, |exponent| exponent)?;
+        instruction.evaluate(self, self.places[position].plain.len()).map(|(_, value)| value)
     }
 }
 
 /// The coefficients at one position, plain or weighted.
 #[derive(Clone, Copy, Debug)]
 struct SeriesRow {
-    place: usize,
+    position: usize,
     weighted: bool,
 }
 
-fn plain(place: usize) -> SeriesRow {
-    SeriesRow { place, weighted: false }
+fn plain(position: usize) -> SeriesRow {
+    SeriesRow { position, weighted: false }
 }
 
 impl<R: Ring> Evaluator<SeriesRow, &Rational> for Jet<'_, R> {
@@ -178,8 +180,8 @@ impl<R: Ring> Evaluator<SeriesRow, &Rational> for Jet<'_, R> {
         self.ring
     }
 
-    fn row(&self, SeriesRow { place, weighted }: SeriesRow) -> &[R::Element] {
-        let series = &self.places[place];
+    fn row(&self, SeriesRow { position, weighted }: SeriesRow) -> &[R::Element] {
+        let series = &self.places[position];
         if weighted { &series.weighted } else { &series.plain }
     }
 

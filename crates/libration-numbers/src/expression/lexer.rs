@@ -51,7 +51,7 @@ pub(super) struct Lexeme {
 
 /// The lexemes of a text, including the end.
 pub(super) struct Lexemes {
-    pub(super) found: Vec<Lexeme>,
+    pub(super) lexemes: Vec<Lexeme>,
     /// `true` if the text has notations that are not used for output: commands of LaTeX, derivatives as quotients.
     pub(super) free: bool,
 }
@@ -62,15 +62,15 @@ pub(super) fn lexemes(text: &str) -> Result<Lexemes, ParseError> {
         return Err(ParseError::new("", 0, fault));
     }
     let mut lexer = Lexer { text, at: 0, free: false, open: vec![], after_extremum: false };
-    let mut found = Vec::new();
+    let mut lexemes = Vec::new();
     loop {
         let spaced = lexer.skip_spaces();
         let start = lexer.at;
         let token = lexer.token().map_err(|fault| ParseError::new(text, start, fault))?;
         let end = token == Token::End;
-        found.push(Lexeme { token, start, spaced });
+        lexemes.push(Lexeme { token, start, spaced });
         if end {
-            return Ok(Lexemes { found, free: lexer.free });
+            return Ok(Lexemes { lexemes, free: lexer.free });
         }
     }
 }
@@ -263,8 +263,8 @@ fn sign(c: char) -> Option<char> {
     }
 }
 
-fn unknown(found: char) -> Fault {
-    let hint = match found {
+fn unknown(character: char) -> Fault {
+    let hint = match character {
         ',' => "write decimals with a point, and one equation after another with ;",
         '.' => "write numbers as 0.5, products with *",
         '[' | ']' => "write brackets as ( and )",
@@ -276,5 +276,5 @@ fn unknown(found: char) -> Fault {
         '⁻' => "a raised minus must precede raised digits, as in x⁻²",
         _ => "write numbers, names of Latin or Greek letters, + - * / ^ and brackets",
     };
-    Fault::UnknownCharacter { found, hint }
+    Fault::UnknownCharacter { found: character, hint }
 }

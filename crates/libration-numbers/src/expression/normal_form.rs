@@ -49,7 +49,7 @@ impl Expression {
     #[must_use]
     pub fn polynomial_degree(&self, symbols: &[Symbol]) -> Option<u32> {
         let form = NormalForm::from_tree(self)?;
-        let is_symbol = |atom: &Atom| matches!(atom, Atom::Symbol(own) if symbols.contains(own));
+        let is_symbol = |atom: &Atom| matches!(atom, Atom::Symbol(symbol) if symbols.contains(symbol));
         let hidden = |atom: &Atom| !is_symbol(atom) && atom.contains_any(symbols);
         let polynomial = !form.lower.has(|atom| atom.contains_any(symbols)) && !form.upper.has(hidden);
         polynomial.then(|| form.upper.degree_in_kind(is_symbol))

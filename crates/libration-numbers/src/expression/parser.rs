@@ -73,7 +73,7 @@ pub(super) struct Parser<'a> {
 
 impl<'a> Parser<'a> {
     pub(super) fn new(text: &'a str) -> Result<Self, ParseError> {
-        let Lexemes { found: lexemes, free } = lexemes(text)?;
+        let Lexemes { lexemes, free } = lexemes(text)?;
         Ok(Self { text, lexemes, next: 0, nesting: 0, free })
     }
 
@@ -96,9 +96,9 @@ impl<'a> Parser<'a> {
 
     /// Consumes the sign if it is next, and returns `true` if it was.
     pub(super) fn take(&mut self, sign: char) -> bool {
-        let found = *self.peek() == Token::Sign(sign);
-        self.next += usize::from(found);
-        found
+        let is_next = *self.peek() == Token::Sign(sign);
+        self.next += usize::from(is_next);
+        is_next
     }
 
     pub(super) fn fault(&self, fault: Fault) -> ParseError {
@@ -119,10 +119,10 @@ impl<'a> Parser<'a> {
 
     /// The error for a lexeme that cannot follow.
     pub(super) fn unexpected(&self) -> ParseError {
-        self.fault(Fault::Unexpected { found: self.found() })
+        self.fault(Fault::Unexpected { found: self.next_in_words() })
     }
 
-    fn found(&self) -> String {
+    fn next_in_words(&self) -> String {
         match self.peek() {
             Token::Number(_) => "a number".to_owned(),
             Token::Name(symbol) => format!("`{symbol}`"),
@@ -269,7 +269,7 @@ impl<'a> Parser<'a> {
             Token::Sign('{') => self.bracketed('}'),
             Token::Fraction => self.fraction(),
             Token::Sign(_) | Token::Raised { .. } | Token::Range(_) | Token::End => {
-                Err(self.fault(Fault::MissingOperand { found: self.found() }))
+                Err(self.fault(Fault::MissingOperand { found: self.next_in_words() }))
             }
         }
     }
@@ -277,10 +277,10 @@ impl<'a> Parser<'a> {
     /// Consumes `deg` directly after the number that was read, and returns `true` if it was there.
     fn take_degrees(&mut self) -> bool {
         let Lexeme { token, spaced, .. } = &self.lexemes[self.next];
-        let found = !spaced && matches!(token, Token::Name(Symbol { name, primes: 0 }) if name == "deg");
-        self.next += usize::from(found);
-        self.free |= found;
-        found
+        let is_next = !spaced && matches!(token, Token::Name(Symbol { name, primes: 0 }) if name == "deg");
+        self.next += usize::from(is_next);
+        self.free |= is_next;
+        is_next
     }
 
     /// A number of degrees, in radians.

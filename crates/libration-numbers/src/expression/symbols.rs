@@ -28,24 +28,25 @@ impl Expression {
     /// All symbols in the formula.
     #[must_use]
     pub fn symbols(&self) -> BTreeSet<Symbol> {
-        let mut found = BTreeSet::new();
-        self.collect_symbols(&mut found);
-        found
+        let mut symbols = BTreeSet::new();
+        self.collect_symbols(&mut symbols);
+        symbols
     }
 
-    fn collect_symbols(&self, found: &mut BTreeSet<Symbol>) {
+    fn collect_symbols(&self, symbols: &mut BTreeSet<Symbol>) {
         if let Self::Symbol(symbol) = self {
-            found.insert(symbol.clone());
+            symbols.insert(symbol.clone());
         }
         for part in self.parts() {
-            part.collect_symbols(found);
+            part.collect_symbols(symbols);
         }
     }
 
     /// Returns `true` if a symbol occurs.
     #[must_use]
     pub fn contains(&self, symbol: &Symbol) -> bool {
-        matches!(self, Self::Symbol(own) if own == symbol) || self.parts().any(|part| part.contains(symbol))
+        matches!(self, Self::Symbol(other) if other == symbol)
+            || self.parts().any(|part| part.contains(symbol))
     }
 
     /// The operands, from left to right.
@@ -67,7 +68,7 @@ impl Expression {
     #[must_use]
     pub fn substitute(&self, symbol: &Symbol, by: &Self) -> Self {
         match self {
-            Self::Symbol(own) if own == symbol => by.clone(),
+            Self::Symbol(other) if other == symbol => by.clone(),
             _ => self.with_parts(|part| part.substitute(symbol, by)),
         }
     }

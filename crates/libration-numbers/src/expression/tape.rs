@@ -81,20 +81,20 @@ impl Tape {
     }
 
     /// The positions that an operation reads.
-    pub fn operands(&self, place: usize) -> Vec<usize> {
-        self.operations[place].operands().collect()
+    pub fn operands(&self, position: usize) -> Vec<usize> {
+        self.operations[position].operands().collect()
     }
 
     pub fn inputs(&self) -> usize {
         self.inputs
     }
 
-    pub fn is_constant(&self, place: usize) -> bool {
-        self.constant[place]
+    pub fn is_constant(&self, position: usize) -> bool {
+        self.constant[position]
     }
 
-    pub fn is_weighted(&self, place: usize) -> bool {
-        self.weighted[place]
+    pub fn is_weighted(&self, position: usize) -> bool {
+        self.weighted[position]
     }
 }
 
@@ -124,18 +124,18 @@ fn constant_places(operations: &[Operation]) -> Vec<bool> {
     let mut constant: Vec<bool> = vec![];
     for operation in operations {
         let input = matches!(operation, Operation::Input(_));
-        constant.push(!input && operation.operands().all(|place| constant[place]));
+        constant.push(!input && operation.operands().all(|operand| constant[operand]));
     }
     constant
 }
 
 fn weighted_places(operations: &[Operation]) -> Vec<bool> {
     let mut weighted = vec![false; operations.len()];
-    for (place, operation) in operations.iter().enumerate() {
+    for (position, operation) in operations.iter().enumerate() {
         match *operation {
             Operation::Power(a, _) | Operation::Inverse { of: a, .. } => {
                 weighted[a] = true;
-                weighted[place] = true;
+                weighted[position] = true;
             }
             Operation::Exp(a) | Operation::Tangent { of: a, .. } | Operation::Paired { of: a, .. } => {
                 weighted[a] = true;
@@ -153,35 +153,35 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    fn place(&mut self, operation: Operation) -> usize {
+    fn position_of(&mut self, operation: Operation) -> usize {
         let operation = self.folded(operation);
-        if let Some(&place) = self.places.get(&operation) {
-            return place;
+        if let Some(&position) = self.places.get(&operation) {
+            return position;
         }
-        let place = self.operations.len();
+        let position = self.operations.len();
         self.operations.push(operation.clone());
-        self.places.insert(operation, place);
-        place
+        self.places.insert(operation, position);
+        position
     }
 
     fn number(&mut self, value: i64) -> usize {
-        self.place(Operation::Number(Rational::from(value)))
+        self.position_of(Operation::Number(Rational::from(value)))
     }
 
-    fn known(&self, place: usize) -> Option<&Rational> {
-        if let Operation::Number(value) = &self.operations[place] { Some(value) } else { None }
+    fn number_at(&self, position: usize) -> Option<&Rational> {
+        if let Operation::Number(value) = &self.operations[position] { Some(value) } else { None }
     }
 
     /// The operation after arithmetic of numbers; factors of one and terms of zero are removed.
     fn folded(&self, operation: Operation) -> Operation {
-        let two = |a: usize, b: usize| Some((self.known(a)?, self.known(b)?));
+        let two = |a: usize, b: usize| Some((self.number_at(a)?, self.number_at(b)?));
         let value = match operation {
-            Operation::Negate(a) => self.known(a).map(|a| Rationals.negate(a)),
+            Operation::Negate(a) => self.number_at(a).map(|a| Rationals.negate(a)),
             Operation::Add(a, b) => two(a, b).map(|(a, b)| Rationals.add(a, b)),
             Operation::Subtract(a, b) => two(a, b).map(|(a, b)| Rationals.subtract(a, b)),
             Operation::Multiply(a, b) => two(a, b).map(|(a, b)| Rationals.multiply(a, b)),
             Operation::Divide(a, b) => two(a, b).and_then(|(a, b)| a.checked_div(b)),
-            Operation::Power(a, ref exponent) => self.known(a).and_then(|a| Rationals.power(a, exponent)),
+            Operation::Power(a, ref exponent) => self.number_at(a).and_then(|a| Rationals.power(a, exponent)),
             _ => None,
         };
         value.map_or(operation, Operation::Number)
@@ -206,15 +206,15 @@ impl Writer<'_> {
                 return Ok(self.function(*function, of));
             }
         };
-        Ok(self.place(operation))
+        Ok(self.position_of(operation))
     }
 
     fn write_power(&mut self, base: &Expression, exponent: &Expression) -> Result<usize, WithoutValue> {
         let (base, exponent) = (self.write(base)?, self.write(exponent)?);
-        let Some(number) = self.known(exponent).cloned() else {
+        let Some(number) = self.number_at(exponent).cloned() else {
             let logarithm = self.function(Function::Ln, base);
-            let product = self.place(Operation::Multiply(exponent, logarithm));
-            return Ok(self.place(Operation::Exp(product)));
+            let product = self.position_of(Operation::Multiply(exponent, logarithm));
+            return Ok(self.position_of(Operation::Exp(product)));
         };
         Ok(self.fixed_power(base, number))
     }
@@ -224,16 +224,16 @@ impl Writer<'_> {
 
     fn fixed_power(&mut self, base: usize, exponent: Rational) -> usize {
         // The powers of a ring have limits, its products have none.
-        let is_long = |n| self.known(base).is_some_and(|base| has_too_many_bits(base, n));
+        let is_long = |n| self.number_at(base).is_some_and(|base| has_too_many_bits(base, n));
         let natural =
             exponent.magnitude().to_natural().filter(|&n| n <= Self::LARGEST_PRODUCT && !is_long(n));
         match natural {
             Some(n) if exponent.is_negative() => {
                 let (one, power) = (self.number(1), self.natural_power(base, n));
-                self.place(Operation::Divide(one, power))
+                self.position_of(Operation::Divide(one, power))
             }
             Some(n) => self.natural_power(base, n),
-            None => self.place(Operation::Power(base, exponent)),
+            None => self.position_of(Operation::Power(base, exponent)),
         }
     }
 
@@ -243,24 +243,24 @@ impl Writer<'_> {
             1 => base,
             _ => {
                 let half = self.natural_power(base, n / 2);
-                let square = self.place(Operation::Multiply(half, half));
-                if n.is_multiple_of(2) { square } else { self.place(Operation::Multiply(square, base)) }
+                let square = self.position_of(Operation::Multiply(half, half));
+                if n.is_multiple_of(2) { square } else { self.position_of(Operation::Multiply(square, base)) }
             }
         }
     }
 
     fn function(&mut self, function: Function, of: usize) -> usize {
-        if let Some(value) = self.known(of).and_then(|at| Rationals.value(function, at)) {
-            return self.place(Operation::Number(value));
+        if let Some(value) = self.number_at(of).and_then(|at| Rationals.value(function, at)) {
+            return self.position_of(Operation::Number(value));
         }
         match function.rule() {
             Rule::Root => {
                 let half = Rational::new(1, 2).expect("two is not zero");
-                self.place(Operation::Power(of, half))
+                self.position_of(Operation::Power(of, half))
             }
-            Rule::Itself => self.place(Operation::Exp(of)),
-            Rule::Modulus => self.place(Operation::Abs(of)),
-            Rule::Step => self.place(Operation::Sign(of)),
+            Rule::Itself => self.position_of(Operation::Exp(of)),
+            Rule::Modulus => self.position_of(Operation::Abs(of)),
+            Rule::Step => self.position_of(Operation::Sign(of)),
             Rule::Paired(pair) => {
                 let (first, second) = self.pair(pair, of);
                 if function == pair.functions[0] { first } else { second }
@@ -269,8 +269,8 @@ impl Writer<'_> {
             Rule::Inverse(slope, divisor) => {
                 let divisor = self.divisor(divisor, of);
                 let divisor =
-                    if slope == Slope::Plus { divisor } else { self.place(Operation::Negate(divisor)) };
-                self.place(Operation::Inverse { function, of, divisor })
+                    if slope == Slope::Plus { divisor } else { self.position_of(Operation::Negate(divisor)) };
+                self.position_of(Operation::Inverse { function, of, divisor })
             }
         }
     }
@@ -281,8 +281,8 @@ impl Writer<'_> {
         let (function, plus) = (first, Slope::Plus);
         let wanted = Operation::Paired { function, of, other: next + 1, slope: plus };
         let same = |operation: &Operation| matches!(operation, Operation::Paired { function: f, of: a, .. } if *f == first && *a == of);
-        if let Some(place) = self.operations.iter().position(same) {
-            return (place, place + 1);
+        if let Some(position) = self.operations.iter().position(same) {
+            return (position, position + 1);
         }
         self.operations.push(wanted);
         self.operations.push(Operation::Paired { function: second, of, other: next, slope });
@@ -291,25 +291,25 @@ impl Writer<'_> {
 
     fn tangent(&mut self, function: Function, of: usize) -> usize {
         let operation = Operation::Tangent { function, of };
-        if let Some(&place) = self.places.get(&operation) {
-            return place;
+        if let Some(&position) = self.places.get(&operation) {
+            return position;
         }
-        let place = self.operations.len();
+        let position = self.operations.len();
         self.operations.push(operation.clone());
-        self.places.insert(operation, place);
-        self.operations.push(Operation::Multiply(place, place));
-        place
+        self.places.insert(operation, position);
+        self.operations.push(Operation::Multiply(position, position));
+        position
     }
 
     fn divisor(&mut self, divisor: Divisor, of: usize) -> usize {
         if divisor == Divisor::Argument {
             return of;
         }
-        let (one, square) = (self.number(1), self.place(Operation::Multiply(of, of)));
+        let (one, square) = (self.number(1), self.position_of(Operation::Multiply(of, of)));
         if divisor == Divisor::OneAndSquare {
-            return self.place(Operation::Add(one, square));
+            return self.position_of(Operation::Add(one, square));
         }
-        let under = self.place(Operation::Subtract(one, square));
+        let under = self.position_of(Operation::Subtract(one, square));
         self.function(Function::Sqrt, under)
     }
 }

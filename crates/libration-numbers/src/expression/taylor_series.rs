@@ -22,11 +22,11 @@ impl Expression {
         &self,
         ring: &R,
         variable: &Symbol,
-        place: &R::Element,
+        point: &R::Element,
         length: usize,
     ) -> Option<Vec<R::Element>> {
         let tape = Tape::new(&[self], std::slice::from_ref(variable)).ok()?;
-        let mut jet = Jet::new(ring, &tape, std::slice::from_ref(place)).ok()?;
+        let mut jet = Jet::new(ring, &tape, std::slice::from_ref(point)).ok()?;
         let one = ring.rational(&1.into())?;
         for n in 1..length {
             jet.extend(&[if n == 1 { one.clone() } else { ring.zero() }]).ok()?;

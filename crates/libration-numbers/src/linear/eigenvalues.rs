@@ -16,12 +16,12 @@ pub fn eigenvalues(matrix: &[Vec<f64>]) -> Option<Vec<Complex>> {
         .into_iter()
         .map(|row| row.into_iter().map(Complex::from).collect())
         .collect();
-    let mut found = vec![];
+    let mut eigenvalues = vec![];
     let mut steps = 0;
     while let Some(last) = h.len().checked_sub(1) {
         let first = start_of_block(&h, last);
         if first == last {
-            found.push(h[last][last]);
+            eigenvalues.push(h[last][last]);
             h.pop();
             h.iter_mut().for_each(|row| row.truncate(last));
             steps = 0;
@@ -34,8 +34,8 @@ pub fn eigenvalues(matrix: &[Vec<f64>]) -> Option<Vec<Complex>> {
         let shift = if steps % 11 == 10 { exceptional_shift(&h, last) } else { wilkinson_shift(&h, last) };
         qr_step(&mut h, first, shift);
     }
-    found.sort_by(|a, b| b.abs().total_cmp(&a.abs()).then(b.im.total_cmp(&a.im)));
-    found.iter().all(|value| value.is_finite()).then_some(found)
+    eigenvalues.sort_by(|a, b| b.abs().total_cmp(&a.abs()).then(b.im.total_cmp(&a.im)));
+    eigenvalues.iter().all(|value| value.is_finite()).then_some(eigenvalues)
 }
 
 /// Bounds for the change of each eigenvalue, to first order, when the matrix changes by a matrix of norm `change`.
@@ -49,13 +49,13 @@ pub fn eigenvalues(matrix: &[Vec<f64>]) -> Option<Vec<Complex>> {
 /// J. H. Wilkinson, *The Algebraic Eigenvalue Problem*, Oxford 1965, chapter 2.
 pub fn eigenvalue_errors(matrix: &[Vec<f64>], eigenvalues: &[Complex], change: f64) -> Vec<f64> {
     let powers = adjugate_powers(matrix);
-    let radius = |own: usize| {
+    let radius = |index: usize| {
         let mut distances: Vec<f64> = (0..eigenvalues.len())
-            .filter(|other| *other != own)
-            .map(|other| (eigenvalues[own] - eigenvalues[other]).abs())
+            .filter(|other| *other != index)
+            .map(|other| (eigenvalues[index] - eigenvalues[other]).abs())
             .collect();
         distances.sort_by(f64::total_cmp);
-        let right = change * adjugate_norm(&powers, eigenvalues[own]);
+        let right = change * adjugate_norm(&powers, eigenvalues[index]);
         // The smallest cluster of nearest neighbours whose radius does not reach the next neighbour.
         let of_cluster = |neighbours: usize| {
             let beyond: f64 = distances[neighbours..].iter().product();

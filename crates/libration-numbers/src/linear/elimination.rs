@@ -71,8 +71,8 @@ pub fn null_space<R: Ring>(
     let mut rows = matrix.to_vec();
     let mut order: Vec<usize> = (0..n).collect();
     for step in 0..rank {
-        let places = (step..n).flat_map(|row| (step..n).map(move |at| (row, at)));
-        let present = places.filter(|&(row, at)| !ring.is_zero(&rows[row][order[at]]));
+        let entries = (step..n).flat_map(|row| (step..n).map(move |at| (row, at)));
+        let present = entries.filter(|&(row, at)| !ring.is_zero(&rows[row][order[at]]));
         let largest = |a: &(usize, usize), b: &(usize, usize)| {
             size(&rows[a.0][order[a.1]]).total_cmp(&size(&rows[b.0][order[b.1]]))
         };

@@ -20,8 +20,8 @@ pub fn least_squares(matrix: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
     }
     let mut solution = vec![0.0; columns];
     for i in (0..columns).rev() {
-        let known: f64 = (i + 1..columns).map(|j| rows[i][j] * solution[j]).sum();
-        solution[i] = (rows[i][columns] - known) / rows[i][i];
+        let sum: f64 = (i + 1..columns).map(|j| rows[i][j] * solution[j]).sum();
+        solution[i] = (rows[i][columns] - sum) / rows[i][i];
     }
     solution.iter().all(|x| x.is_finite()).then_some(solution)
 }

@@ -25,10 +25,10 @@ const RESOLVED: f64 = 0.25;
 /// Legendre's polynomials up to degree 15 at the nodes.
 pub(super) const LEGENDRE: [[f64; 16]; 8] = {
     let mut values = [[1.0; 16]; 8];
-    let mut place = 0;
-    while place < 8 {
-        values[place] = legendre(NODES[place].0);
-        place += 1;
+    let mut node = 0;
+    while node < 8 {
+        values[node] = legendre(NODES[node].0);
+        node += 1;
     }
     values
 };

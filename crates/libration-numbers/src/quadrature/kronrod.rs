@@ -58,7 +58,7 @@ pub fn gauss_kronrod(mut f: impl FnMut(f64) -> f64) -> Integral {
             return Integral { value: total(&parts), error: 0.0 };
         }
         let worst = (0..parts.len())
-            .filter(|&place| parts[place].patience > 0)
+            .filter(|&part| parts[part].patience > 0)
             .max_by(|&a, &b| parts[a].rules.difference().total_cmp(&parts[b].rules.difference()));
         match worst {
             // An integral that is not finite cannot be improved.
@@ -121,8 +121,8 @@ impl Rules {
     pub fn over(f: &mut impl FnMut(f64) -> f64, from: f64, to: f64) -> Self {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         let mut rules = Self { kronrod: 0.0, gauss: 0.0, size: 0.0 };
-        for (place, (node, kronrod, gauss)) in NODES.into_iter().enumerate() {
-            let sides = if place == 0 { &[1.0][..] } else { &[-1.0, 1.0] };
+        for (index, (node, kronrod, gauss)) in NODES.into_iter().enumerate() {
+            let sides = if index == 0 { &[1.0][..] } else { &[-1.0, 1.0] };
             for side in sides {
                 let value = half * f(middle + side * half * node);
                 rules.kronrod += kronrod * value;

@@ -15,12 +15,12 @@ pub fn points() -> [f64; POINTS] {
 fn signed(point: usize) -> (f64, f64, [f64; POINTS]) {
     let half = NODES.len();
     match point.checked_sub(half) {
-        Some(place) => (NODES[place].0, NODES[place].1, LEGENDRE[place]),
+        Some(index) => (NODES[index].0, NODES[index].1, LEGENDRE[index]),
         None => {
-            let place = half - 1 - point;
+            let index = half - 1 - point;
             let mirrored =
-                |degree: usize| LEGENDRE[place][degree] * if degree.is_multiple_of(2) { 1.0 } else { -1.0 };
-            (-NODES[place].0, NODES[place].1, std::array::from_fn(mirrored))
+                |degree: usize| LEGENDRE[index][degree] * if degree.is_multiple_of(2) { 1.0 } else { -1.0 };
+            (-NODES[index].0, NODES[index].1, std::array::from_fn(mirrored))
         }
     }
 }

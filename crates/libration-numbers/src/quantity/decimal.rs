@@ -27,7 +27,7 @@ impl Decimal {
     /// The `f64` nearest to the whole text, if that is a decimal number accepted by [`Self::parse`].
     pub fn nearest_to(text: &str) -> Option<f64> {
         let unsigned = text.strip_prefix('-').unwrap_or(text);
-        let exponent = unsigned.find(['e', 'E']).map_or("0", |place| &unsigned[place + 1..]);
+        let exponent = unsigned.find(['e', 'E']).map_or("0", |mark| &unsigned[mark + 1..]);
         let is_bounded = exponent.parse::<i32>().is_ok_and(|e| e.abs() <= LARGEST_EXPONENT);
         let is_number = !unsigned.is_empty() && number_length(unsigned) == unsigned.len() && is_bounded;
         text.parse::<f64>().ok().filter(|x| is_number && x.is_finite())

@@ -48,10 +48,14 @@ pub fn short(value: f64, digits: usize) -> String {
 pub fn with_uncertainty(value: f64, uncertainty: f64, unit: &str) -> String {
     let text = match places(uncertainty) {
         _ if !uncertainty.is_finite() => format!("{} ± {} {unit}", short(value, 6), non_finite(uncertainty)),
-        Some(places) => format!("{value:.places$} ± {uncertainty:.places$} {unit}"),
+        Some(decimals) => format!("{value:.decimals$} ± {uncertainty:.decimals$} {unit}"),
         None if uncertainty > 0.0 => {
-            let place = exponent(uncertainty) - 1;
-            format!("{} ± {} {unit}", to_place(value, place, 12), to_place(uncertainty, place, 2))
+            let decimal_place = exponent(uncertainty) - 1;
+            format!(
+                "{} ± {} {unit}",
+                to_place(value, decimal_place, 12),
+                to_place(uncertainty, decimal_place, 2)
+            )
         }
         None => format!("{} {unit}", short(value, 12)),
     };
@@ -68,17 +72,17 @@ pub fn with_uncertainty(value: f64, uncertainty: f64, unit: &str) -> String {
 /// assert_eq!(to_place(138.9, 14, 15), "0");
 /// ```
 #[must_use]
-pub fn to_place(value: f64, place: i32, most: usize) -> String {
+pub fn to_place(value: f64, power: i32, most: usize) -> String {
     if !value.is_finite() {
         return non_finite(value).to_owned();
     }
     let first = format!("{value:e}").split_once('e').and_then(|(_, text)| text.parse().ok()).unwrap_or(0);
-    let digits = usize::try_from(i64::from(first) - i64::from(place) + 1);
+    let digits = usize::try_from(i64::from(first) - i64::from(power) + 1);
     let nearest = match digits {
         Ok(digits @ 1..) => format!("{value:.*e}", digits.min(most) - 1),
         // The first digit is one place below 10ᵏ: from 5 on it rounds up to 10ᵏ.
         Ok(_) if format!("{:e}", value.abs()).as_str() >= "5" => {
-            format!("{}1e{place}", if value < 0.0 { "-" } else { "" })
+            format!("{}1e{power}", if value < 0.0 { "-" } else { "" })
         }
         _ => return "0".to_owned(),
     };
@@ -94,8 +98,8 @@ fn exponent(value: f64) -> i32 {
 /// rounded.
 fn places(uncertainty: f64) -> Option<usize> {
     const MOST: usize = 10;
-    let places = usize::try_from(1 - exponent(uncertainty)).ok()?;
-    (uncertainty > 0.0 && places <= MOST).then_some(places)
+    let decimals = usize::try_from(1 - exponent(uncertainty)).ok()?;
+    (uncertainty > 0.0 && decimals <= MOST).then_some(decimals)
 }
 
 fn non_finite(value: f64) -> &'static str {

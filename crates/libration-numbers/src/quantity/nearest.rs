@@ -1,9 +1,9 @@
 //! Suggestions for an unknown word.
 
 /// The three known words nearest to the requested one.
-pub(crate) fn nearest<'a>(asked: &str, known: impl Iterator<Item = &'a str>) -> Vec<String> {
+pub(crate) fn nearest<'a>(asked: &str, names: impl Iterator<Item = &'a str>) -> Vec<String> {
     const SHOWN: usize = 3;
-    let mut words: Vec<&str> = known.collect();
+    let mut words: Vec<&str> = names.collect();
     words.sort_by_key(|word| edit_distance(asked, word));
     words.into_iter().take(SHOWN).map(str::to_owned).collect()
 }

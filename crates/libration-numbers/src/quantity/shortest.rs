@@ -25,8 +25,8 @@ impl Shortest {
     /// The number in two words with a relative error of 2⁻¹⁰⁰, if the digits are few and the exponent is small.
     pub(super) fn in_two_words(&self) -> Option<DoubleDouble> {
         let (mantissa, exponent) = self.text.split_once('e')?;
-        let places = mantissa.split_once('.').map_or(0, |(_, fraction)| fraction.len());
-        let exponent = exponent.parse::<i64>().ok()? - i64::try_from(places).ok()?;
+        let decimals = mantissa.split_once('.').map_or(0, |(_, fraction)| fraction.len());
+        let exponent = exponent.parse::<i64>().ok()? - i64::try_from(decimals).ok()?;
         let power = u32::try_from(exponent.unsigned_abs()).ok().filter(|&power| power <= LARGEST_POWER)?;
         let digits = DoubleDouble::from(exactly(mantissa.replace('.', "").parse().ok()?)?);
         let power = DoubleDouble::from((0..power).fold(1.0, |product, _| 10.0 * product));

@@ -38,7 +38,7 @@ pub fn other_sign_between(points: [Point; 3], f: impl Fn(f64) -> f64) -> Option<
     if !(low > middle && high >= middle && middle > 0.0) {
         return None;
     }
-    let [mut a, mut b, mut c] = points.map(|(place, _)| place);
+    let [mut a, mut b, mut c] = points.map(|(point, _)| point);
     let mut least = middle;
     for _ in 0..ROUNDS {
         let right = c - b > b - a;

@@ -54,10 +54,10 @@ pub fn polynomial_roots(coefficients: &[f64]) -> Option<Vec<PolynomialRoot>> {
     let zero = PolynomialRoot { value: Complex::default(), error: 0.0, multiplicity: first };
     let mut roots = vec![zero; first];
     let balanced = Balanced::new(&coefficients[first..=last])?;
-    let mut places = balanced.first_places();
-    balanced.refine(&mut places);
-    places.sort_by(|a, b| a.abs().total_cmp(&b.abs()).then(a.im.total_cmp(&b.im)));
-    roots.extend(balanced.with_errors(&places));
+    let mut approximations = balanced.first_places();
+    balanced.refine(&mut approximations);
+    approximations.sort_by(|a, b| a.abs().total_cmp(&b.abs()).then(a.im.total_cmp(&b.im)));
+    roots.extend(balanced.with_errors(&approximations));
     Some(roots)
 }
 
@@ -114,13 +114,13 @@ impl Balanced {
     }
 
     /// Moves all positions until the polynomial is zero there within rounding errors, for at most a fixed number of rounds.
-    fn refine(&self, places: &mut [Complex]) {
+    fn refine(&self, approximations: &mut [Complex]) {
         /// About ten rounds are usual; for k coincident roots each round covers 1/k of the remaining distance.
         const ENOUGH: usize = 200;
-        let mut settled = vec![false; places.len()];
+        let mut settled = vec![false; approximations.len()];
         for _ in 0..ENOUGH {
             for (k, settled) in settled.iter_mut().enumerate() {
-                *settled = *settled || self.improve(places, k);
+                *settled = *settled || self.improve(approximations, k);
             }
             if settled.iter().all(|settled| *settled) {
                 break;
@@ -129,20 +129,20 @@ impl Balanced {
     }
 
     /// One step for a root, Newton's method for the polynomial divided by the other roots' factors; returns `true` if it was the last one.
-    fn improve(&self, places: &mut [Complex], k: usize) -> bool {
-        let z = places[k];
+    fn improve(&self, approximations: &mut [Complex], k: usize) -> bool {
+        let z = approximations[k];
         let Local { value, rounding, newton } = self.at(z);
         if value.abs() <= rounding {
             return true;
         }
-        let others = places.iter().enumerate().filter(|(j, _)| *j != k);
+        let others = approximations.iter().enumerate().filter(|(j, _)| *j != k);
         let repulsion: Complex = others.map(|(_, other)| ONE / (z - *other)).sum();
         let step = newton / (ONE - newton * repulsion);
         if !step.is_finite() {
             return false;
         }
-        places[k] = z - step;
-        step.abs() < f64::EPSILON * places[k].abs()
+        approximations[k] = z - step;
+        step.abs() < f64::EPSILON * approximations[k].abs()
     }
 
     /// The values at z; outside the unit circle from the reversed polynomial, which does not overflow: p(z) = zⁿ·r(1/z).
@@ -162,28 +162,36 @@ impl Balanced {
     }
 
     /// Smith's discs with radius n·|p(z)|/|cₙ·Π(z − other)|: a group of k touching discs contains k roots.
-    fn with_errors(&self, places: &[Complex]) -> Vec<PolynomialRoot> {
-        let radii: Vec<f64> = (0..places.len()).map(|k| self.radius(places, k)).collect();
-        let clusters = clusters(places, &radii);
+    fn with_errors(&self, approximations: &[Complex]) -> Vec<PolynomialRoot> {
+        let radii: Vec<f64> = (0..approximations.len()).map(|k| self.radius(approximations, k)).collect();
+        let clusters = clusters(approximations, &radii);
         let root = |k: usize| {
-            let own: Vec<usize> = (0..places.len()).filter(|j| clusters[*j] == clusters[k]).collect();
-            let reach = own.iter().map(|&j| (places[k] - places[j]).abs() + radii[j]).fold(0.0, f64::max);
-            let value = if own.len() == 1 { real_if_it_must_be(places, &radii, k) } else { places[k] };
+            let cluster: Vec<usize> =
+                (0..approximations.len()).filter(|j| clusters[*j] == clusters[k]).collect();
+            let reach = cluster
+                .iter()
+                .map(|&j| (approximations[k] - approximations[j]).abs() + radii[j])
+                .fold(0.0, f64::max);
+            let value = if cluster.len() == 1 {
+                real_if_it_must_be(approximations, &radii, k)
+            } else {
+                approximations[k]
+            };
             // A disc about the real position to which the root was moved must contain the original disc.
-            let error = reach + (value - places[k]).abs();
+            let error = reach + (value - approximations[k]).abs();
             PolynomialRoot {
                 value: self.in_units(value),
                 error: self.in_units(error.into()).re,
-                multiplicity: own.len(),
+                multiplicity: cluster.len(),
             }
         };
-        (0..places.len()).map(root).collect()
+        (0..approximations.len()).map(root).collect()
     }
 
-    fn radius(&self, places: &[Complex], k: usize) -> f64 {
-        let (z, n) = (places[k], count(self.degree()));
+    fn radius(&self, approximations: &[Complex], k: usize) -> f64 {
+        let (z, n) = (approximations[k], count(self.degree()));
         let Local { value, rounding, .. } = self.at(z);
-        let others = places.iter().enumerate().filter(|(j, _)| *j != k);
+        let others = approximations.iter().enumerate().filter(|(j, _)| *j != k);
         // Positions that coincide count as being one last bit apart.
         let apart = others.map(|(_, other)| (z - *other).abs().max(f64::EPSILON * z.abs()));
         let product: f64 = apart.map(libm::log2).sum();
@@ -219,19 +227,20 @@ fn scaled_by_power(c: f64, exponent: f64) -> f64 {
 
 /// The real part of a position whose disc reaches the real axis and is isolated in three times its radius: otherwise the conjugate would be a
 /// second root there.
-fn real_if_it_must_be(places: &[Complex], radii: &[f64], k: usize) -> Complex {
-    let z = places[k];
-    let apart = |j: usize| (z - places[j]).abs() > 3.0 * radii[k] + radii[j];
-    let alone = (0..places.len()).all(|j| j == k || apart(j));
+fn real_if_it_must_be(approximations: &[Complex], radii: &[f64], k: usize) -> Complex {
+    let z = approximations[k];
+    let apart = |j: usize| (z - approximations[j]).abs() > 3.0 * radii[k] + radii[j];
+    let alone = (0..approximations.len()).all(|j| j == k || apart(j));
     if alone && z.im.abs() <= radii[k] { Complex::from(z.re) } else { z }
 }
 
 /// The cluster to which each disc belongs.
-fn clusters(places: &[Complex], radii: &[f64]) -> Vec<usize> {
-    let mut cluster: Vec<usize> = (0..places.len()).collect();
-    for j in 0..places.len() {
+fn clusters(approximations: &[Complex], radii: &[f64]) -> Vec<usize> {
+    let mut cluster: Vec<usize> = (0..approximations.len()).collect();
+    for j in 0..approximations.len() {
         for k in 0..j {
-            let touch = (places[j] - places[k]).abs() <= radii[j] + radii[k] || radii[j].is_nan();
+            let touch =
+                (approximations[j] - approximations[k]).abs() <= radii[j] + radii[k] || radii[j].is_nan();
             if touch && cluster[j] != cluster[k] {
                 let (old, new) = (cluster[j], cluster[k]);
                 cluster.iter_mut().filter(|it| **it == old).for_each(|it| *it = new);

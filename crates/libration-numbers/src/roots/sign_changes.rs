@@ -47,12 +47,12 @@ fn between(polynomial: &[f64], turns: &[f64]) -> Option<Vec<f64>> {
         return None;
     }
     let ends: Vec<f64> = std::iter::once(-bound).chain(turns.iter().copied()).chain([bound]).collect();
-    let mut found: Vec<f64> = turns.iter().copied().filter(|&turn| value(turn) == 0.0).collect();
+    let mut zeros: Vec<f64> = turns.iter().copied().filter(|&turn| value(turn) == 0.0).collect();
     let changes = |a: f64, b: f64| a < 0.0 && b > 0.0 || a > 0.0 && b < 0.0;
     let changes = ends.windows(2).filter(|pair| changes(value(pair[0]), value(pair[1])));
-    found.extend(changes.map(|pair| sign_change(value, [pair[0], pair[1]])));
-    found.sort_by(f64::total_cmp);
-    Some(found)
+    zeros.extend(changes.map(|pair| sign_change(value, [pair[0], pair[1]])));
+    zeros.sort_by(f64::total_cmp);
+    Some(zeros)
 }
 
 /// The position of the sign change between two points, to the last bit.

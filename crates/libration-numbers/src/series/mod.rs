@@ -36,13 +36,13 @@ use online::{BLOCK, Convolution, Weight};
 /// h₀ is not used.
 pub fn exponential(derivative: &[IBig], length: usize) -> Vec<IBig> {
     let divided = |n: usize, sum: IBig| sum / IBig::from(n);
-    Convolution { known: derivative, weight: Weight::Ordinary, finish: &divided, block: BLOCK }
+    Convolution { factor: derivative, weight: Weight::Ordinary, finish: &divided, block: BLOCK }
         .solve(IBig::ONE, length)
 }
 
 /// The first `length` integers bₙ of Σ bₙxⁿ/(2n)! = 1 / Σ aₙxⁿ/(2n)!, where a₀ = 1.
 pub fn even_reciprocal(a: &[IBig], length: usize) -> Vec<IBig> {
     let negated = |_: usize, sum: IBig| -sum;
-    Convolution { known: a, weight: Weight::EvenFactorial, finish: &negated, block: BLOCK }
+    Convolution { factor: a, weight: Weight::EvenFactorial, finish: &negated, block: BLOCK }
         .solve(IBig::ONE, length)
 }

@@ -17,13 +17,13 @@ pub enum Weight {
     EvenFactorial,
 }
 
-/// An equation y₀ = first, `yₙ = finish(n, Σ wₙ/(w_k w_{n−k})·known_k·y_{n−k})` over 1 ≤ k ≤ n. The sums need earlier coefficients; the range is
+/// An equation y₀ = first, `yₙ = finish(n, Σ wₙ/(w_k w_{n−k})·factor_k·y_{n−k})` over 1 ≤ k ≤ n. The sums need earlier coefficients; the range is
 /// therefore halved recursively, and one product carries the first half over to the second.
 ///
 /// Reference: J. van der Hoeven, *Relax, but don't be too lazy*, J. Symbolic Comput. 34, 479 (2002), section 4.1.
 #[expect(missing_debug_implementations, reason = "a function has none")]
 pub struct Convolution<'a> {
-    pub known: &'a [IBig],
+    pub factor: &'a [IBig],
     pub weight: Weight,
     pub finish: &'a dyn Fn(usize, IBig) -> IBig,
     /// Length of a range up to which coefficients are computed one at a time.
@@ -31,7 +31,7 @@ pub struct Convolution<'a> {
 }
 
 impl Convolution<'_> {
-    /// The first `length` coefficients of the solution; coefficients beyond the end of `known` are zero.
+    /// The first `length` coefficients of the solution; coefficients beyond the end of the factor are zero.
     pub fn solve(&self, first: IBig, length: usize) -> Vec<IBig> {
         let mut answers = vec![IBig::ZERO; length];
         if length > 0 {
@@ -64,22 +64,22 @@ impl Convolution<'_> {
 
     /// The contribution of `recent`, the coefficients directly before the n-th, to the n-th sum.
     fn recent_sum(&self, recent: &[IBig], n: usize) -> IBig {
-        let pairs = recent.iter().rev().zip(self.known.iter().skip(1));
+        let pairs = recent.iter().rev().zip(self.factor.iter().skip(1));
         match self.weight {
-            Weight::Ordinary => pairs.map(|(y, known)| y * known).sum(),
+            Weight::Ordinary => pairs.map(|(y, coefficient)| y * coefficient).sum(),
             Weight::EvenFactorial => {
                 let terms = pairs.zip(even_binomials(n));
-                terms.map(|((y, known), binomial)| y * (known * binomial)).sum()
+                terms.map(|((y, coefficient), binomial)| y * (coefficient * binomial)).sum()
             }
         }
     }
 
     /// Adds the contribution of `answers[l..middle]` to the sums of `answers[middle..r]`.
     fn carry(&self, answers: &mut [IBig], l: usize, middle: usize, r: usize) {
-        let reach = (r - l).min(self.known.len());
-        let (found, sums) = answers.split_at_mut(middle);
-        let left = self.weight.cleared(&found[l..], l);
-        let right = self.weight.cleared(&self.known[..reach], 0);
+        let reach = (r - l).min(self.factor.len());
+        let (solved, sums) = answers.split_at_mut(middle);
+        let left = self.weight.cleared(&solved[l..], l);
+        let right = self.weight.cleared(&self.factor[..reach], 0);
         let divisor: IBig = (1..reach).map(|k| self.weight.step(k)).product();
         let mut multiplier = IBig::ONE;
         let products = product(&left, &right).into_iter().skip(middle - l);

@@ -14,8 +14,8 @@ pub(crate) fn quotient<R: Ring>(
     c: &[R::Element],
     b: &[R::Element],
 ) -> Option<R::Element> {
-    let known = ring.convolution(c, &b[1..]);
-    ring.divide(&ring.subtract(a_n, &known), &b[0])
+    let sum = ring.convolution(c, &b[1..]);
+    ring.divide(&ring.subtract(a_n, &sum), &b[0])
 }
 
 /// n·cₙ of the c with c′ = a′·b, from the weighted a₁ … aₙ and b₀ … bₙ₋₁.
@@ -55,6 +55,6 @@ pub(crate) fn weighted_power<R: Ring>(
     c: Both<'_, R::Element>,
 ) -> R::Element {
     let driven = ring.convolution(&a.weighted[1..], c.plain);
-    let known = ring.convolution(&c.weighted[1..], &a.plain[1..c.plain.len()]);
-    ring.subtract(&ring.multiply(exponent, &driven), &known)
+    let lower_terms = ring.convolution(&c.weighted[1..], &a.plain[1..c.plain.len()]);
+    ring.subtract(&ring.multiply(exponent, &driven), &lower_terms)
 }

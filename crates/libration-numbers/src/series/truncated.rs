@@ -28,8 +28,8 @@ pub fn product<R: Ring>(ring: &R, a: &[R::Element], b: &[R::Element], length: us
 /// The given coefficients at every second position from `first` on, with zeros in between.
 fn spread<R: Ring>(ring: &R, halves: Vec<R::Element>, first: usize, length: usize) -> Vec<R::Element> {
     let mut all = vec![ring.zero(); length];
-    for (place, coefficient) in all.iter_mut().skip(first).step_by(2).zip(halves) {
-        *place = coefficient;
+    for (entry, coefficient) in all.iter_mut().skip(first).step_by(2).zip(halves) {
+        *entry = coefficient;
     }
     all
 }
@@ -56,8 +56,8 @@ pub fn reciprocal<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Vec<R::Element>
     let first = ring.divide(&one, a.first()?)?;
     let mut b = vec![first.clone()];
     for n in 1..a.len() {
-        let known = ring.convolution(&a[1..=n], &b);
-        b.push(ring.negate(&ring.multiply(&known, &first)));
+        let sum = ring.convolution(&a[1..=n], &b);
+        b.push(ring.negate(&ring.multiply(&sum, &first)));
     }
     Some(b)
 }
@@ -73,8 +73,8 @@ pub fn square_root_of_unit<R: Ring>(ring: &R, a: &[R::Element]) -> Option<Vec<R:
 
 /// bₙ of b = √a with b₀ = 1, from aₙ and b₀ … bₙ₋₁.
 pub fn next_square_root<R: Ring>(ring: &R, a_n: &R::Element, b: &[R::Element]) -> Option<R::Element> {
-    let known = ring.convolution(&b[1..], &b[1..]);
-    ring.over_integer(&ring.subtract(a_n, &known), 2)
+    let sum = ring.convolution(&b[1..], &b[1..]);
+    ring.over_integer(&ring.subtract(a_n, &sum), 2)
 }
 
 /// The powers 1, a, a², … of a series without constant term, up to the last that is not zero in the given coefficients.

@@ -70,12 +70,13 @@ fn below(excess: f64) -> Amplitude {
     let of = |angle: f64| Amplitude { angle: Angle::from_radians(angle).expect("an angle below pi") };
     for _ in 0..STEPS {
         let amplitude = of(angle);
-        let (found, slope) = (amplitude.period_excess(), amplitude.condition() * amplitude.period_ratio());
+        let (period_excess, slope) =
+            (amplitude.period_excess(), amplitude.condition() * amplitude.period_ratio());
         // Below 1e-150 the excess is θ0²/16, so that the initial guess is exact.
         if slope < f64::MIN_POSITIVE {
             break;
         }
-        angle -= angle * (found - excess) / slope;
+        angle -= angle * (period_excess - excess) / slope;
     }
     of(angle)
 }

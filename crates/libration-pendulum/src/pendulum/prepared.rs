@@ -100,11 +100,11 @@ struct Evaluated {
 
 impl Evaluated {
     #[inline(always)]
-    fn new(place: Place, index: usize, base: DoubleDouble, sums: &[f64; 4]) -> Self {
+    fn new(position: Place, index: usize, base: DoubleDouble, sums: &[f64; 4]) -> Self {
         let [even, odd, even_slope, odd_slope] = *sums;
-        let y = place.rest;
+        let y = position.rest;
         #[expect(clippy::cast_precision_loss, reason = "at most 2¹² segments")]
-        let start = place.gone - index as f64;
+        let start = position.gone - index as f64;
         let (away, velocity) = (y.fma(odd, even), y.fma(odd_slope, even_slope));
         Self { base, start, away, velocity }
     }
@@ -215,15 +215,15 @@ impl<U: Unwrap> Kernel for One<'_, U> {
     type Output = State;
     #[inline(always)]
     fn run(self) -> State {
-        let place = Place::new(self.table, self.time);
-        if !place.is_counted() {
+        let position = Place::new(self.table, self.time);
+        if !position.is_counted() {
             return self.motion.state_at(self.time);
         }
-        let index = self.table.index(place.gone);
+        let index = self.table.index(position.gone);
         let segment = &self.table.segments[index];
         let mut sums = [0.0; 4];
-        segment.sums(place.rest, &mut sums);
-        let at = Evaluated::new(place, index, segment.base, &sums);
+        segment.sums(position.rest, &mut sums);
+        let at = Evaluated::new(position, index, segment.base, &sums);
         self.table.state(segment, &at, self.unwrap.angle(&at))
     }
 }
@@ -286,9 +286,9 @@ impl PreparedStages {
     ) -> bool {
         let mut is_counted = true;
         for (i, time) in times.iter().enumerate() {
-            let place = Place::new(table, *time);
-            (self.gone[i], self.rest[i]) = (place.gone, place.rest);
-            is_counted &= place.is_counted();
+            let position = Place::new(table, *time);
+            (self.gone[i], self.rest[i]) = (position.gone, position.rest);
+            is_counted &= position.is_counted();
         }
         if !is_counted {
             return false;
@@ -299,9 +299,9 @@ impl PreparedStages {
             self.bases[i] = [segment.base.hi, segment.base.lo];
         }
         for i in 0..BLOCK {
-            let place = Place { gone: self.gone[i], rest: self.rest[i] };
+            let position = Place { gone: self.gone[i], rest: self.rest[i] };
             let base = DoubleDouble::new(self.bases[i][0], self.bases[i][1]);
-            let at = Evaluated::new(place, table.index(place.gone), base, &self.sums[i]);
+            let at = Evaluated::new(position, table.index(position.gone), base, &self.sums[i]);
             (angles[i], velocities[i]) = (unwrap.angle(&at), at.velocity);
         }
         true

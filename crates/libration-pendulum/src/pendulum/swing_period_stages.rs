@@ -22,22 +22,22 @@ impl Pendulum {
     /// use libration::pendulum::{Amplitude, Pendulum};
     /// let pendulum = Pendulum::new(1.0, 9.81)?;
     /// let amplitudes = [Amplitude::new("60deg".parse()?)?, Amplitude::new("pi-1e-9".parse()?)?];
-    /// let mut found = amplitudes.map(|_| Default::default());
-    /// pendulum.swing_periods(&amplitudes, &mut found)?;
-    /// assert_eq!(found[1], pendulum.swing_period(&amplitudes[1]));
+    /// let mut periods = amplitudes.map(|_| Default::default());
+    /// pendulum.swing_periods(&amplitudes, &mut periods)?;
+    /// assert_eq!(periods[1], pendulum.swing_period(&amplitudes[1]));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn swing_periods(
         &self,
         amplitudes: &[Amplitude],
-        found: &mut [SwingPeriod],
+        periods: &mut [SwingPeriod],
     ) -> Result<(), LengthMismatch> {
-        LengthMismatch::check_lengths(amplitudes.len(), found.len())?;
+        LengthMismatch::check_lengths(amplitudes.len(), periods.len())?;
         let frequency = self.angular_frequency_words();
-        dispatch_slices(Each { amplitudes, frequency, found });
-        for (amplitude, found) in amplitudes.iter().zip(found) {
+        dispatch_slices(Each { amplitudes, frequency, periods });
+        for (amplitude, period) in amplitudes.iter().zip(periods) {
             if !is_regular(amplitude) {
-                *found = self.swing_period(amplitude);
+                *period = self.swing_period(amplitude);
             }
         }
         Ok(())
@@ -53,7 +53,7 @@ fn is_regular(amplitude: &Amplitude) -> bool {
 struct Each<'a> {
     amplitudes: &'a [Amplitude],
     frequency: DoubleDouble,
-    found: &'a mut [SwingPeriod],
+    periods: &'a mut [SwingPeriod],
 }
 
 impl Kernel for Each<'_> {
@@ -62,13 +62,13 @@ impl Kernel for Each<'_> {
     fn run(self) {
         let mut block = Block::ZERO;
         let mut all = [SwingPeriod::default(); BLOCK];
-        for (amplitudes, found) in self.amplitudes.chunks(BLOCK).zip(self.found.chunks_mut(BLOCK)) {
+        for (amplitudes, periods) in self.amplitudes.chunks(BLOCK).zip(self.periods.chunks_mut(BLOCK)) {
             block.load(amplitudes);
             block.halves();
             block.modulus.block(&block.sine, &block.cosine);
             block.ratios();
             block.write(self.frequency, &mut all);
-            found.copy_from_slice(&all[..found.len()]);
+            periods.copy_from_slice(&all[..periods.len()]);
         }
     }
 }
@@ -139,13 +139,13 @@ impl Block {
 
     #[inline(always)]
     fn write(&self, frequency: DoubleDouble, all: &mut [SwingPeriod; BLOCK]) {
-        for (i, found) in all.iter_mut().enumerate() {
+        for (i, period) in all.iter_mut().enumerate() {
             let (amplitude, first) = (self.amplitude.get(i), self.modulus.first.get(i));
             let (above, below) = (amplitude_above(amplitude.hi), self.period.excess.get(i));
             let ratio = ratio_above(below, self.period.log.get(i));
             let twice = self.cosine.get(i).scaled(2.0);
             let slope = slope_of(self.sine.get(i), self.modulus.cosine_part.get(i), first, twice);
-            *found = SwingPeriod {
+            *period = SwingPeriod {
                 period: period_of_quarter(first, frequency),
                 ratio: Ratio::round(above, below, ratio),
                 excess: Excess::round(above, below, ratio),

@@ -178,8 +178,8 @@ impl Segment {
 
     /// The segment half a period later.
     fn mirrored(&self, base: DoubleDouble) -> Self {
-        let own = self.base - base;
-        Self { rows: self.rows.map(|row| row.map(|c| -c)), base: base - own, top: -self.top, turns: 0.0 }
+        let shift = self.base - base;
+        Self { rows: self.rows.map(|row| row.map(|c| -c)), base: base - shift, top: -self.top, turns: 0.0 }
     }
 }
 

@@ -44,24 +44,24 @@ impl Kernel for Each<'_> {
         let mut below = Queue::new();
         let mut above = Queue::new();
         let mut stages = ReleaseStages::new(self.angular_frequency);
-        let mut place = 0;
-        while place < self.amplitudes.len() {
-            let end = (place + BLOCK).min(self.amplitudes.len());
+        let mut first = 0;
+        while first < self.amplitudes.len() {
+            let end = (first + BLOCK).min(self.amplitudes.len());
             for slice in [self.amplitudes, self.times, &*self.angles, &*self.velocities] {
-                fetch_ahead(&slice[place..end]);
+                fetch_ahead(&slice[first..end]);
             }
             // The number of elements for which both queues have room; the counts are kept in registers.
             let room = BLOCK - above.count.max(below.count);
             let (mut above_count, mut below_count) = (above.count, below.count);
-            let elements = self.amplitudes[place..].iter().zip(&self.times[place..]).take(room);
+            let elements = self.amplitudes[first..].iter().zip(&self.times[first..]).take(room);
             for (amplitude, time) in elements {
                 // Without a branch, which random amplitudes would make unpredictable.
                 let is_above = usize::from(amplitude_above(*amplitude));
-                above.put(above_count, place, *amplitude, *time);
-                below.put(below_count, place, *amplitude, *time);
+                above.put(above_count, first, *amplitude, *time);
+                below.put(below_count, first, *amplitude, *time);
                 above_count += is_above;
                 below_count += 1 - is_above;
-                place += 1;
+                first += 1;
             }
             (above.count, below.count) = (above_count, below_count);
             if above.count == BLOCK {
@@ -92,22 +92,22 @@ const FEW: usize = 6;
 #[repr(align(64))]
 struct Queue {
     count: usize,
-    place: [usize; BLOCK],
+    position: [usize; BLOCK],
     amplitude: [f64; BLOCK],
     time: [f64; BLOCK],
 }
 
 impl Queue {
     fn new() -> Self {
-        Self { count: 0, place: [0; BLOCK], amplitude: [0.0; BLOCK], time: [0.0; BLOCK] }
+        Self { count: 0, position: [0; BLOCK], amplitude: [0.0; BLOCK], time: [0.0; BLOCK] }
     }
 
     /// Puts an element into a slot below `BLOCK`; the next element overwrites it unless the count is increased.
     #[inline(always)]
-    fn put(&mut self, slot: usize, place: usize, amplitude: f64, time: f64) {
+    fn put(&mut self, slot: usize, index: usize, amplitude: f64, time: f64) {
         // The remainder makes a bounds check unnecessary.
         let slot = slot % BLOCK;
-        self.place[slot] = place;
+        self.position[slot] = index;
         self.amplitude[slot] = amplitude;
         self.time[slot] = time;
     }
@@ -117,7 +117,7 @@ impl Queue {
     fn one_by_one(&mut self, angular_frequency: f64, angles: &mut [f64], velocities: &mut [f64]) {
         for i in 0..self.count {
             let state = One { amplitude: self.amplitude[i], angular_frequency, time: self.time[i] }.run();
-            (angles[self.place[i]], velocities[self.place[i]]) = (state.angle, state.velocity);
+            (angles[self.position[i]], velocities[self.position[i]]) = (state.angle, state.velocity);
         }
         self.count = 0;
     }
@@ -181,7 +181,7 @@ impl ReleaseStages {
         }
         self.angles::<S>(queue);
         for i in 0..queue.count {
-            (angles[queue.place[i]], velocities[queue.place[i]]) = (self.angle[i], self.velocity[i]);
+            (angles[queue.position[i]], velocities[queue.position[i]]) = (self.angle[i], self.velocity[i]);
         }
         queue.count = 0;
     }

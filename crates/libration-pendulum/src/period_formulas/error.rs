@@ -38,10 +38,10 @@ impl Exact {
 
     /// The errors at each amplitude in turn, from ratios in two words of a block at a time; `None` for an invalid amplitude.
     pub(super) fn each(amplitudes: &[Option<SwingAmplitude>]) -> impl Iterator<Item = Option<Self>> {
-        let found = |(amplitude, quick): (&Option<_>, _)| {
+        let errors = |(amplitude, quick): (&Option<_>, _)| {
             amplitude.map(|amplitude| Self::from_quick(amplitude, quick))
         };
-        amplitudes.chunks(BLOCK).flat_map(move |block| block.iter().zip(Quick::block(block)).map(found))
+        amplitudes.chunks(BLOCK).flat_map(move |block| block.iter().zip(Quick::block(block)).map(errors))
     }
 
     fn from_quick(amplitude: SwingAmplitude, quick: Option<Quick>) -> Self {
@@ -77,8 +77,8 @@ impl Exact {
     }
 
     fn at_precision(&mut self, precision: usize) -> &Prepared {
-        let known = self.prepared.iter().position(|prepared| prepared.precision >= precision);
-        let index = known.unwrap_or_else(|| {
+        let prepared = self.prepared.iter().position(|prepared| prepared.precision >= precision);
+        let index = prepared.unwrap_or_else(|| {
             let swing = Swing::with_precision(self.amplitude, precision);
             let exact = swing.exact_ratio();
             self.prepared.push(Prepared { precision, swing, exact });

@@ -94,15 +94,15 @@ impl Family {
     /// The formula with this many corrections, or of this degree, at least one.
     pub fn formula(self, corrections: usize) -> PeriodFormula {
         let Built { law, text, latex, leading_error } = self.built(corrections);
-        let known = self.known(corrections);
+        let published = self.published(corrections);
         let numbered = format!("{}{corrections}", self.stem());
         PeriodFormula {
-            key: known.map_or_else(|| numbered.clone(), |known| known.key.to_owned()),
-            also: if known.is_some() { vec![numbered] } else { Vec::new() },
-            name: known.map_or_else(|| self.name(corrections), |known| known.name.to_owned()),
-            authors: known.map_or_else(|| self.authors(), |known| known.authors).to_owned(),
-            year: known.map_or_else(|| self.year(), |known| known.year),
-            source: known.map_or_else(|| self.source(), |known| known.source).to_owned(),
+            key: published.map_or_else(|| numbered.clone(), |formula| formula.key.to_owned()),
+            also: if published.is_some() { vec![numbered] } else { Vec::new() },
+            name: published.map_or_else(|| self.name(corrections), |formula| formula.name.to_owned()),
+            authors: published.map_or_else(|| self.authors(), |formula| formula.authors).to_owned(),
+            year: published.map_or_else(|| self.year(), |formula| formula.year),
+            source: published.map_or_else(|| self.source(), |formula| formula.source).to_owned(),
             attribution: Attribution::Certain,
             text,
             derivation: self.derivation().to_owned(),
@@ -173,7 +173,7 @@ impl Family {
     }
 
     /// The older formula that equals this series with one correction, for two of the series.
-    fn known(self, corrections: usize) -> Option<&'static Known> {
+    fn published(self, corrections: usize) -> Option<&'static Known> {
         match self {
             Self::PowerSeries if corrections == 1 => Some(&BERNOULLI),
             Self::FourierPerturbation if corrections == 1 => Some(&DENMAN),

@@ -147,22 +147,22 @@ impl ErrorTable {
         let count = self.curves.len();
         watch.begin(Stage::Whole, Some(count * count.saturating_sub(1) / 2));
         let pairs = (0..count).flat_map(|a| (a + 1..count).map(move |b| (a, b)));
-        let mut found = Vec::new();
+        let mut crossovers = Vec::new();
         for (done, (a, b)) in pairs.enumerate() {
-            found.extend(self.changes_of_lead(&self.curves[a], &self.curves[b]));
+            crossovers.extend(self.changes_of_lead(&self.curves[a], &self.curves[b]));
             if watch.reached(done + 1).is_err() {
                 break;
             }
         }
-        found
+        crossovers
     }
 
     /// Every amplitude within (0, π) at which |error of a| = `factor`·|error of b|, increasing.
     #[must_use]
     pub fn amplitudes_where_ratio_of_errors(&self, a: usize, b: usize, factor: f64) -> Vec<Angle> {
         let (Some(a), Some(b)) = (self.curves.get(a), self.curves.get(b)) else { return Vec::new() };
-        let places = self.places_where_equal(a, &Other::Formula(b, factor));
-        places.into_iter().filter_map(|u| amplitude_at(u).to_angle()).collect()
+        let coordinates = self.places_where_equal(a, &Other::Formula(b, factor));
+        coordinates.into_iter().filter_map(|u| amplitude_at(u).to_angle()).collect()
     }
 
     /// Every amplitude within (0, π) at which the error changes sign, so that the formula is exact.
@@ -171,19 +171,19 @@ impl ErrorTable {
         let Some(curve) = self.curves.get(formula) else { return Vec::new() };
         let mut sign = |u: f64| imbalance(curve.error_at(u), 0.0);
         let signs: Vec<f64> = curve.errors.iter().map(|&error| imbalance(error, 0.0)).collect();
-        let places = zeros(&self.points, &signs, &mut sign);
-        places.into_iter().filter_map(|u| amplitude_at(u).to_angle()).collect()
+        let coordinates = zeros(&self.points, &signs, &mut sign);
+        coordinates.into_iter().filter_map(|u| amplitude_at(u).to_angle()).collect()
     }
 
     fn changes_of_lead(&self, a: &Curve, b: &Curve) -> Vec<Crossover> {
-        let places = self.places_where_equal(a, &Other::Formula(b, 1.0));
-        let between = self.midpoints_about(&places);
+        let coordinates = self.places_where_equal(a, &Other::Formula(b, 1.0));
+        let between = self.midpoints_about(&coordinates);
         let first_leads: Vec<bool> =
             between.iter().map(|&u| a.error_at(u).abs() < b.error_at(u).abs()).collect();
         let leader =
             |first: bool| if first { a.formula.key().to_owned() } else { b.formula.key().to_owned() };
         let mut crossovers = Vec::new();
-        for (&u, leads) in places.iter().zip(first_leads.windows(2)) {
+        for (&u, leads) in coordinates.iter().zip(first_leads.windows(2)) {
             let amplitude = amplitude_at(u).to_angle();
             if let Some(amplitude) = amplitude.filter(|_| leads[0] != leads[1]) {
                 let (better_below, better_above) = (leader(leads[0]), leader(leads[1]));
@@ -194,35 +194,35 @@ impl ErrorTable {
         crossovers
     }
 
-    /// One position below the first of `places`, one between each two, and one above the last.
-    fn midpoints_about(&self, places: &[Coordinate]) -> Vec<Coordinate> {
+    /// One position below the first of `coordinates`, one between each two, and one above the last.
+    fn midpoints_about(&self, coordinates: &[Coordinate]) -> Vec<Coordinate> {
         let ends = self.ends();
-        let first = places.first().map(|&u| f64::max(u - 0.05, f64::midpoint(ends.0, u)));
-        let last = places.last().map(|&u| f64::min(u + 0.05, f64::midpoint(ends.1, u)));
-        let inner = places.windows(2).map(|pair| f64::midpoint(pair[0], pair[1]));
+        let first = coordinates.first().map(|&u| f64::max(u - 0.05, f64::midpoint(ends.0, u)));
+        let last = coordinates.last().map(|&u| f64::min(u + 0.05, f64::midpoint(ends.1, u)));
+        let inner = coordinates.windows(2).map(|pair| f64::midpoint(pair[0], pair[1]));
         first.into_iter().chain(inner).chain(last).collect()
     }
 
     fn holding_segments(&self, curve: &Curve, tolerance: f64) -> Vec<(Coordinate, Coordinate)> {
         let ends = self.ends();
-        let places = self.places_where_equal(curve, &Other::Tolerance(tolerance));
-        let bounds: Vec<_> = [ends.0].into_iter().chain(places).chain([ends.1]).collect();
+        let coordinates = self.places_where_equal(curve, &Other::Tolerance(tolerance));
+        let bounds: Vec<_> = [ends.0].into_iter().chain(coordinates).chain([ends.1]).collect();
         let segments = bounds.windows(2).map(|pair| (pair[0], pair[1]));
         segments.filter(|&(from, to)| curve.error_at(f64::midpoint(from, to)).abs() <= tolerance).collect()
     }
 
     /// The positions at which |error| equals that of the other, with equal or opposite signs.
     fn places_where_equal(&self, curve: &Curve, other: &Other<'_>) -> Vec<Coordinate> {
-        let mut places = Vec::new();
+        let mut coordinates = Vec::new();
         for sign in [1.0, -1.0] {
             let indices = 0..self.points.len();
             let values: Vec<f64> =
                 indices.map(|i| imbalance(curve.errors[i], sign * other.error_in_table(i))).collect();
             let mut difference = |u: f64| imbalance(curve.error_at(u), sign * other.error_at(u));
-            places.extend(zeros(&self.points, &values, &mut difference));
+            coordinates.extend(zeros(&self.points, &values, &mut difference));
         }
-        places.sort_by(f64::total_cmp);
-        places
+        coordinates.sort_by(f64::total_cmp);
+        coordinates
     }
 
     fn ends(&self) -> (Coordinate, Coordinate) {
@@ -284,18 +284,18 @@ fn imbalance(a: f64, b: f64) -> f64 {
 /// The zeros of `f`, whose values at `points` are `values`: between points of opposite sign, and in dips between points of the same sign that
 /// reach zero.
 fn zeros(points: &[Coordinate], values: &[f64], f: &mut dyn FnMut(f64) -> f64) -> Vec<Coordinate> {
-    let known: Vec<(f64, f64)> =
+    let nonzero: Vec<(f64, f64)> =
         points.iter().copied().zip(values.iter().copied()).filter(|(_, value)| *value != 0.0).collect();
-    let mut found = Vec::new();
-    for pair in known.windows(2) {
+    let mut zeros = Vec::new();
+    for pair in nonzero.windows(2) {
         if (pair[0].1 > 0.0) != (pair[1].1 > 0.0) {
-            found.extend(zero_between([pair[0], pair[1]], COORDINATE_TOLERANCE, &mut *f));
+            zeros.extend(zero_between([pair[0], pair[1]], COORDINATE_TOLERANCE, &mut *f));
         }
     }
-    for triple in known.windows(3) {
-        found.extend(zeros_in_dip(triple, f));
+    for triple in nonzero.windows(3) {
+        zeros.extend(zeros_in_dip(triple, f));
     }
-    found
+    zeros
 }
 
 fn zeros_in_dip(triple: &[(f64, f64)], f: &mut dyn FnMut(f64) -> f64) -> Vec<Coordinate> {
@@ -311,11 +311,11 @@ fn zeros_in_dip(triple: &[(f64, f64)], f: &mut dyn FnMut(f64) -> f64) -> Vec<Coo
         return Vec::new();
     }
     // At an extreme the value has the square of this error.
-    let (place, depth) = maximum_between(&mut |u| -sign * f(u), triple[0].0, triple[2].0, 1e-7);
+    let (bottom_at, depth) = maximum_between(&mut |u| -sign * f(u), triple[0].0, triple[2].0, 1e-7);
     if depth <= 0.0 {
         return Vec::new();
     }
-    let bottom = (place, -sign * depth);
+    let bottom = (bottom_at, -sign * depth);
     [triple[0], triple[2]]
         .into_iter()
         .filter_map(|side| zero_between([side, bottom], COORDINATE_TOLERANCE, &mut *f))
@@ -333,8 +333,8 @@ impl PeriodFormula {
         let points: Vec<f64> = [low].into_iter().chain(inner).chain([high]).collect();
         let mut size = |u: f64| self.error(amplitude_at(u)).abs();
         let sizes: Vec<f64> = points.iter().map(|&u| size(u)).collect();
-        let (place, _) = highest_peak(&points, &sizes, &mut size);
-        let amplitude = amplitude_at(place);
+        let (coordinate, _) = highest_peak(&points, &sizes, &mut size);
+        let amplitude = amplitude_at(coordinate);
         Some(ErrorMaximum { amplitude: amplitude.to_angle()?, error: self.error(amplitude) })
     }
 
@@ -366,15 +366,15 @@ fn end_coordinate(angle: &Angle) -> Option<Coordinate> {
 /// The highest of the values and of the peaks between them.
 fn highest_peak(points: &[f64], values: &[f64], f: &mut dyn FnMut(f64) -> f64) -> (f64, f64) {
     let mut best = (points[0], values[0]);
-    for (&place, &value) in points.iter().zip(values) {
+    for (&coordinate, &value) in points.iter().zip(values) {
         if value > best.1 {
-            best = (place, value);
+            best = (coordinate, value);
         }
     }
-    for (place, value) in points.windows(3).zip(values.windows(3)) {
+    for (neighbours, value) in points.windows(3).zip(values.windows(3)) {
         // A peak rises above its sampled point by less than that point rises above half its neighbours.
         if value[1] >= value[0] && value[1] >= value[2] && 2.0 * value[1] > best.1 {
-            let peak = maximum_between(f, place[0], place[2], 1e-8);
+            let peak = maximum_between(f, neighbours[0], neighbours[2], 1e-8);
             best = if peak.1 > best.1 { peak } else { best };
         }
     }

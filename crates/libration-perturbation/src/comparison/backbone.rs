@@ -153,7 +153,7 @@ impl Backbone {
         }
         let oscillator = match about {
             None => Oscillator::new(equation),
-            Some(place) => Oscillator::about(equation, place),
+            Some(equilibrium) => Oscillator::about(equation, equilibrium),
         };
         if let Some(open) = equation.parameters().into_iter().next() {
             let cycle = matches!(oscillator.as_ref().map(Oscillator::kind), Ok(Kind::LimitCycle { .. }));
@@ -243,9 +243,11 @@ impl Backbone {
         let amplitude = displacement.to_f64();
         let orbit = self.orbit_at(displacement, tolerance, &Watch::new(progress));
         let (mut series, mut exact) = (None, None);
-        if let (Ok(own), Some(omega0)) = (&self.series, self.omega0()) {
-            series = own.frequency_at(amplitude, omega0);
-            exact = own.exact_at(displacement).map(|found| found.map(|found| in_units_of(found, omega0)));
+        if let (Ok(relation), Some(omega0)) = (&self.series, self.omega0()) {
+            series = relation.frequency_at(amplitude, omega0);
+            exact = relation
+                .exact_at(displacement)
+                .map(|value| value.map(|frequency| in_units_of(frequency, omega0)));
         }
         BackbonePoint { amplitude, orbit, series, exact }
     }
@@ -259,8 +261,8 @@ impl Backbone {
         let origin = self.centre.as_ref().map_or_else(|| BigFloat::from_integer(0, 1), Constant::digits);
         let centre = self.centre();
         let start = centre + displacement.to_f64();
-        let place = ReleasePlace::new(origin, displacement.clone());
-        let orbit = Orbit::released_from(&self.equation, &place, tolerance, watch)?;
+        let release = ReleasePlace::new(origin, displacement.clone());
+        let orbit = Orbit::released_from(&self.equation, &release, tolerance, watch)?;
         let other_side = orbit.state_at(0.5 * orbit.period())[0];
         if self.has_equilibrium() && other_side >= centre {
             return Err(OrbitError::Elsewhere { start, other_side, centre });

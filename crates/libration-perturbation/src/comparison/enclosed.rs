@@ -29,10 +29,10 @@ fn on_one_side(force: &impl Fn(f64) -> f64, centre: f64, reach: f64) -> Option<f
     for part in parts() {
         if away(part) {
             let [_, turned] = bisect([before, part], Tolerance::LAST_BIT, |part| !away(part));
-            let place = centre + reach * turned;
+            let turning_point = centre + reach * turned;
             // Zero, but for the rounding of the sum.
-            let vanishes = place.abs() <= 4.0 * f64::EPSILON * centre.abs();
-            return Some(if vanishes { 0.0 } else { place });
+            let vanishes = turning_point.abs() <= 4.0 * f64::EPSILON * centre.abs();
+            return Some(if vanishes { 0.0 } else { turning_point });
         }
         before = part;
     }

@@ -156,7 +156,7 @@ impl ExactMotion {
     pub fn value(&self, quantity: SeriesQuantity) -> Result<ExactValue, ExactValueError> {
         match &self.method {
             Known::Pendulum(amplitude) => of_pendulum(quantity, amplitude),
-            Known::Orbit(found) => Ok(found.value(quantity, self.small_period, self.unit)),
+            Known::Orbit(orbit) => Ok(orbit.value(quantity, self.small_period, self.unit)),
         }
     }
 }
@@ -181,9 +181,9 @@ pub(super) fn released(
     if !(amplitude > 0.0 && amplitude.is_finite()) {
         return Err(ExactValueError::Amplitude(amplitude));
     }
-    let place = ReleasePlace::new(oscillator.equilibrium().digits(), displacement.clone());
+    let release = ReleasePlace::new(oscillator.equilibrium().digits(), displacement.clone());
     let orbit =
-        Orbit::released_from(oscillator.equation(), &place, 0.0, watch).map_err(|error| match error {
+        Orbit::released_from(oscillator.equation(), &release, 0.0, watch).map_err(|error| match error {
             OrbitError::Separatrix(_) | OrbitError::AtRest(_) => ExactValueError::Infinite(amplitude),
             OrbitError::NoReturn { .. } => ExactValueError::NoReturn(amplitude),
             other => other.into(),

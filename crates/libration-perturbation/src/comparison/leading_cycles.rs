@@ -101,8 +101,8 @@ impl LeadingLimitCycles {
     /// use libration::comparison::LeadingLimitCycles;
     /// use libration::progress::Quiet;
     /// // Van der Pol's excitation of a spring that stiffens: the amplitude is not 2.
-    /// let found = LeadingLimitCycles::new(&"x'' + x + x^3 = mu*(1 - x^2)*x'".parse()?, None, &Quiet)?;
-    /// let [cycle] = &found.cycles[..] else { panic!() };
+    /// let leading = LeadingLimitCycles::new(&"x'' + x + x^3 = mu*(1 - x^2)*x'".parse()?, None, &Quiet)?;
+    /// let [cycle] = &leading.cycles[..] else { panic!() };
     /// assert!((cycle.amplitude - 1.9351).abs() < 1e-4 && cycle.exponent < 0.0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -123,9 +123,9 @@ impl LeadingLimitCycles {
         }
         let centre = oscillator.equilibrium().to_f64();
         let work = WorkOverOrbits::new(&unperturbed, &force, centre).ok_or(SlowFlowError::NoSeries)?;
-        let Scan { places, family_ends } = Scan::new(&work, watch)?;
-        let cycles = cycles(&work, &places, watch)?;
-        let ends = [&places[0], &places[places.len() - 1]];
+        let Scan { places: points, family_ends } = Scan::new(&work, watch)?;
+        let cycles = cycles(&work, &points, watch)?;
+        let ends = [&points[0], &points[points.len() - 1]];
         Ok(Self {
             parameter,
             equilibrium: centre,
@@ -161,13 +161,13 @@ const TOWARDS_THE_END: usize = 8;
 
 impl Scan {
     fn new(work: &WorkOverOrbits<'_>, watch: &Watch<'_>) -> Result<Self, LeadingLimitCyclesError> {
-        let mut places: Vec<Work> = vec![];
+        let mut points: Vec<Work> = vec![];
         let mut amplitude = SMALLEST;
         while amplitude <= LARGEST {
             match work.at(amplitude, watch) {
-                Ok(found) => places.push(found),
+                Ok(reached) => points.push(reached),
                 Err(OrbitError::Interrupted(stopped)) => return Err(stopped.into()),
-                Err(error) if places.is_empty() => return Err(error.into()),
+                Err(error) if points.is_empty() => return Err(error.into()),
                 Err(_) => break,
             }
             amplitude *= RATIO;
@@ -178,8 +178,8 @@ impl Scan {
             for _ in 0..TOWARDS_THE_END {
                 let middle = f64::midpoint(inside, outside);
                 match work.at(middle, watch) {
-                    Ok(found) => {
-                        places.push(found);
+                    Ok(reached) => {
+                        points.push(reached);
                         inside = middle;
                     }
                     Err(OrbitError::Interrupted(stopped)) => return Err(stopped.into()),
@@ -187,27 +187,27 @@ impl Scan {
                 }
             }
         }
-        Ok(Self { places, family_ends })
+        Ok(Self { places: points, family_ends })
     }
 }
 
 fn cycles(
     work: &WorkOverOrbits<'_>,
-    places: &[Work],
+    points: &[Work],
     watch: &Watch<'_>,
 ) -> Result<Vec<LeadingLimitCycle>, LeadingLimitCyclesError> {
-    let certain: Vec<Work> = places.iter().copied().filter(Work::is_some).collect();
-    let mut found = vec![];
+    let certain: Vec<Work> = points.iter().copied().filter(Work::is_some).collect();
+    let mut cycles = vec![];
     for pair in certain.windows(2) {
         let [below, above] = [pair[0], pair[1]];
         let turn = extremum(work, [below, above], watch)?;
         for [below, above] in turn.map_or(vec![[below, above]], |turn| vec![[below, turn], [turn, above]]) {
             if below.value * above.value < 0.0 {
-                found.extend(cycle(work, [below, above], watch)?);
+                cycles.extend(cycle(work, [below, above], watch)?);
             }
         }
     }
-    Ok(found)
+    Ok(cycles)
 }
 
 /// The work at its extremum between two positions of equal sign, if it approaches zero there.
@@ -221,10 +221,10 @@ fn extremum(
     if !dips {
         return Ok(None);
     }
-    let slope = |found: &Work| found.slope;
+    let slope = |work_there: &Work| work_there.slope;
     let ends = [(below.amplitude, below.slope), (above.amplitude, above.slope)];
-    let found = at_zero(work, ends, AT_EXTREMUM, &slope, watch)?;
-    Ok(found.filter(Work::is_some))
+    let extremum = at_zero(work, ends, AT_EXTREMUM, &slope, watch)?;
+    Ok(extremum.filter(Work::is_some))
 }
 
 /// The work at a zero of a function of it; no further work is computed after a cancellation.
@@ -241,15 +241,15 @@ fn at_zero(
             stopped.set(Some(reason));
             None
         }
-        found => found.ok().filter(|_| stopped.get().is_none()),
+        outcome => outcome.ok().filter(|_| stopped.get().is_none()),
     };
     let value = |amplitude: f64| match stopped.get() {
         Some(_) => f64::NAN,
-        None => at(amplitude).map_or(f64::NAN, |found| of(&found)),
+        None => at(amplitude).map_or(f64::NAN, |point| of(&point)),
     };
     let zero = zero_between(ends, Tolerance::relative(tolerance), value);
-    let found = zero.filter(|_| stopped.get().is_none()).and_then(at);
-    stopped.get().map_or(Ok(found), |reason| Err(reason.into()))
+    let point = zero.filter(|_| stopped.get().is_none()).and_then(at);
+    stopped.get().map_or(Ok(point), |reason| Err(reason.into()))
 }
 
 /// Relative tolerance of the amplitude of an extremum: the work is flat there, so that its sign is that of the extremum unless two cycles
@@ -264,12 +264,12 @@ fn cycle(
     watch: &Watch<'_>,
 ) -> Result<Option<LeadingLimitCycle>, LeadingLimitCyclesError> {
     // W goes with the square of the amplitude where that is small.
-    let value = |found: &Work| found.value / (found.amplitude * found.amplitude);
+    let value = |point: &Work| point.value / (point.amplitude * point.amplitude);
     let bracket = ends.map(|end| (end.amplitude, value(&end)));
-    let Some(found) = at_zero(work, bracket, AT_ZERO, &value, watch)? else { return Ok(None) };
-    let by_amplitude = (found.slope * found.energy_slope).abs();
+    let Some(point) = at_zero(work, bracket, AT_ZERO, &value, watch)? else { return Ok(None) };
+    let by_amplitude = (point.slope * point.energy_slope).abs();
     let amplitude_uncertainty =
-        (found.uncertainty + found.value.abs()) / by_amplitude + 2.0 * AT_ZERO * found.amplitude;
+        (point.uncertainty + point.value.abs()) / by_amplitude + 2.0 * AT_ZERO * point.amplitude;
     // How period and exponent go with the amplitude is seen between the ends.
     let along = |of: &dyn Fn(&Work) -> f64| {
         ((of(&ends[1]) - of(&ends[0])) / (ends[1].amplitude - ends[0].amplitude)).abs()
@@ -277,12 +277,12 @@ fn cycle(
     };
     let exponent = |work: &Work| work.slope / work.period;
     Ok(Some(LeadingLimitCycle {
-        amplitude: found.amplitude,
+        amplitude: point.amplitude,
         amplitude_uncertainty,
-        other_side: found.other_side,
-        period: found.period,
-        period_uncertainty: found.period_uncertainty + along(&|work| work.period),
-        exponent: exponent(&found),
-        exponent_uncertainty: found.slope_uncertainty / found.period + along(&exponent),
+        other_side: point.other_side,
+        period: point.period,
+        period_uncertainty: point.period_uncertainty + along(&|work| work.period),
+        exponent: exponent(&point),
+        exponent_uncertainty: point.slope_uncertainty / point.period + along(&exponent),
     }))
 }

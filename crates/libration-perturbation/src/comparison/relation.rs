@@ -71,8 +71,8 @@ impl<'a> SeriesComparison<'a> {
                 SeriesQuantity::Period => of.period_ratio.clone(),
                 SeriesQuantity::Frequency => of.frequency_ratio.clone(),
                 SeriesQuantity::Cosine(k) => {
-                    let found = of.harmonics.iter().find(|(n, _)| *n == k);
-                    found.map_or_else(|| nothing(expansion.order), |(_, series)| series.clone())
+                    let entry = of.harmonics.iter().find(|(n, _)| *n == k);
+                    entry.map_or_else(|| nothing(expansion.order), |(_, series)| series.clone())
                 }
             },
             None => of_strength(expansion, quantity),

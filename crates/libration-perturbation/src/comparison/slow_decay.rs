@@ -93,10 +93,10 @@ impl SlowDecay {
     /// Amplitude and phase at times that increase, in seconds after the release.
     #[must_use]
     pub fn at_times(&self, times: &[f64]) -> Vec<SlowState> {
-        let mut place = self.release();
+        let mut state = self.release();
         let mut follow = |&time: &f64| {
-            place = self.followed(place, time * self.omega0 - place.time);
-            SlowState { time, ..place }
+            state = self.followed(state, time * self.omega0 - state.time);
+            SlowState { time, ..state }
         };
         times.iter().map(&mut follow).collect()
     }
@@ -104,13 +104,13 @@ impl SlowDecay {
     /// The release and the next turning points, `count` in all or until the slow flow has no amplitude.
     #[must_use]
     pub fn turning_points(&self, count: usize) -> Vec<SlowState> {
-        let mut place = self.release();
-        let mut found = vec![];
-        while found.len() < count && place.amplitude > 0.0 && self.rate(1, place.amplitude) > 0.0 {
-            found.push(SlowState { time: place.time / self.omega0, ..place });
-            place = self.next_turn(place, PI * libration_kernels::elementary::count(found.len()));
+        let mut state = self.release();
+        let mut turns = vec![];
+        while turns.len() < count && state.amplitude > 0.0 && self.rate(1, state.amplitude) > 0.0 {
+            turns.push(SlowState { time: state.time / self.omega0, ..state });
+            state = self.next_turn(state, PI * libration_kernels::elementary::count(turns.len()));
         }
-        found
+        turns
     }
 
     /// The state at the release, in units of 1/ω0.
@@ -119,26 +119,26 @@ impl SlowDecay {
     }
 
     /// Finds the state of this phase by Newton's method; gives the last iterate if it does not converge.
-    fn next_turn(&self, mut place: SlowState, phase: f64) -> SlowState {
+    fn next_turn(&self, mut state: SlowState, phase: f64) -> SlowState {
         for _ in 0..MOST_STEPS {
-            let left = (phase - place.phase) / self.rate(1, place.amplitude);
-            if left.is_nan() || left.abs() <= 4.0 * f64::EPSILON * place.time {
+            let left = (phase - state.phase) / self.rate(1, state.amplitude);
+            if left.is_nan() || left.abs() <= 4.0 * f64::EPSILON * state.time {
                 break;
             }
-            place = self.followed(place, left);
+            state = self.followed(state, left);
         }
-        place
+        state
     }
 
-    fn followed(&self, mut place: SlowState, duration: f64) -> SlowState {
+    fn followed(&self, mut state: SlowState, duration: f64) -> SlowState {
         let steps = libm::ceil(duration.abs() / STEP).max(1.0);
         let length = duration / steps;
         let mut done = 0.0;
-        while done < steps && place.amplitude.is_finite() {
-            place = self.step(place, length);
+        while done < steps && state.amplitude.is_finite() {
+            state = self.step(state, length);
             done += 1.0;
         }
-        place
+        state
     }
 
     /// A step of Runge and Kutta's.
@@ -191,8 +191,8 @@ fn equation(terms: &[PowerLawTerm]) -> Result<(Equation, f64), SlowDecayError> {
     let mut drag = Expression::from(0);
     for term in terms {
         let coefficient = if alone { Expression::from(1) } else { number(term.coefficient) };
-        let own = Expression::Multiply(Box::new(coefficient), Box::new(power(term.exponent)?));
-        drag = Expression::Add(Box::new(drag), Box::new(own));
+        let force = Expression::Multiply(Box::new(coefficient), Box::new(power(term.exponent)?));
+        drag = Expression::Add(Box::new(drag), Box::new(force));
     }
     let small = Box::new(Expression::Symbol(Symbol::plain(SMALL)));
     let all = Expression::Add(Box::new(Expression::Multiply(small, Box::new(drag))), Box::new(gravity));

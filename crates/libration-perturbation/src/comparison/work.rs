@@ -59,7 +59,7 @@ impl<'a> WorkOverOrbits<'a> {
     /// F, f and ∂f/∂x′.
     fn forces(&self, state: &[f64]) -> [f64; 3] {
         let jet = Jet::new(&Doubles, &self.tape, state);
-        jet.map_or([f64::NAN; 3], |jet| [0, 1, 2].map(|place| jet.result(place)[0]))
+        jet.map_or([f64::NAN; 3], |jet| [0, 1, 2].map(|index| jet.result(index)[0]))
     }
 
     /// The work over the orbit of an amplitude, in the family about the centre.
@@ -101,13 +101,13 @@ impl<'a> WorkOverOrbits<'a> {
     }
 
     /// The jump of f at a turning point, upwards in the velocity, divided by the force that turns the motion.
-    fn jump(&self, place: f64) -> f64 {
+    fn jump(&self, displacement: f64) -> f64 {
         let [above, below] =
-            [f64::MIN_POSITIVE, -f64::MIN_POSITIVE].map(|velocity| self.forces(&[place, velocity])[1]);
+            [f64::MIN_POSITIVE, -f64::MIN_POSITIVE].map(|velocity| self.forces(&[displacement, velocity])[1]);
         if above.total_cmp(&below).is_eq() {
             0.0
         } else {
-            (above - below) / self.forces(&[place, 0.0])[0].abs()
+            (above - below) / self.forces(&[displacement, 0.0])[0].abs()
         }
     }
 }

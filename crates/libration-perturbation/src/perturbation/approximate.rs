@@ -160,12 +160,12 @@ pub(crate) fn limit_cycle(
     let omega0_squared = floats.rational(omega0_squared)?;
     let omega0 = omega0_squared.sqrt();
     let ring = HarmonicSums { numbers: floats };
-    let places: Vec<BigFloat> = (1..=i64::try_from(degree.div_ceil(2)).ok()?)
+    let amplitudes: Vec<BigFloat> = (1..=i64::try_from(degree.div_ceil(2)).ok()?)
         .map(|a| BigFloat::from_integer(a, floats.precision))
         .collect();
     let value = |a: &BigFloat| floats.divide(&first_sine(&ring, tape, &omega0, a)?, a);
-    let values = places.iter().map(value).collect::<Option<Vec<_>>>()?;
-    let squares: Vec<BigFloat> = places.iter().map(|a| floats.multiply(a, a)).collect();
+    let values = amplitudes.iter().map(value).collect::<Option<Vec<_>>>()?;
+    let squares: Vec<BigFloat> = amplitudes.iter().map(|a| floats.multiply(a, a)).collect();
     let condition = interpolated(&floats, &squares, &values)?;
     let square = attracting_root(floats, &condition)?;
     let selected = Selected {

@@ -92,8 +92,8 @@ pub(crate) fn agrees_with_the_first_integral(
     }
     let field = Fractions::with_root_of(&model.omega0_squared);
     let plane = plane_of_states(model, |value| field.ring.plain(value.clone()), field.ring.square_root()?);
-    let found = first_integral::period_ratio(&field.ring, plane, period.len(), watch)?;
-    Some(field.are(&found, period))
+    let ratio = first_integral::period_ratio(&field.ring, plane, period.len(), watch)?;
+    Some(field.are(&ratio, period))
 }
 
 /// A model in the numbers of a ring that holds ω0.
@@ -153,6 +153,6 @@ pub(crate) fn agrees_with_plain_rationals(
     let field = Fractions::with_root_of(square);
     let ring = HarmonicSums { numbers: field.ring.clone() };
     let number = |number: &Rational| Some(field.ring.plain(number.clone()));
-    let found = model.series(&ring, number, |square| field.root(square), watch)?;
-    (!watch.is_stopped()).then(|| field.are(&found.numbers(), &set.numbers()))
+    let series = model.series(&ring, number, |square| field.root(square), watch)?;
+    (!watch.is_stopped()).then(|| field.are(&series.numbers(), &set.numbers()))
 }

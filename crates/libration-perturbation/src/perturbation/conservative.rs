@@ -31,8 +31,8 @@ pub(crate) fn displacement<R: Ring>(
             ring.rational(&Rational::from(1))?
         } else {
             let force = jet.result(0);
-            let known = ring.convolution(&force[2..=n], &slope);
-            ring.over_integer(&ring.divide(&known, omega0_squared)?, u64::try_from(n + 1).ok()?)?
+            let convolution = ring.convolution(&force[2..=n], &slope);
+            ring.over_integer(&ring.divide(&convolution, omega0_squared)?, u64::try_from(n + 1).ok()?)?
         };
         jet.amend(&gains, &c);
         slope.push(ring.times_integer(&c, i64::try_from(n).ok()?));

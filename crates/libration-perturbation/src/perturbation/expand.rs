@@ -242,8 +242,8 @@ impl<'a> SeriesProblem<'a> {
             Expansion::new(&Rationals, heading, set, certificate)
         };
         let set = exact_series(model, watch).map_err(|unsolved| match unsolved {
-            Unsolved::Interrupted(known) => {
-                interrupted(known.map(|known| answer(*known, Certificate::FreshPrimes)))
+            Unsolved::Interrupted(partial) => {
+                interrupted(partial.map(|set| answer(*set, Certificate::FreshPrimes)))
             }
             Unsolved::NoPrimes => ExpansionError::NoPrimes,
         })?;
@@ -289,11 +289,11 @@ impl<'a> SeriesProblem<'a> {
             solved => solved?,
         };
         let heading = self.heading(Precision::Digits(super::approximate::DIGITS), Rational::from(1));
-        let own = self.oscillator;
+        let oscillator = self.oscillator;
         let heading = Heading {
             order: set.order(),
-            omega0_squared: own.omega0_squared().exact().cloned().unwrap_or(omega0_squared),
-            equilibrium: own.equilibrium().exact().cloned().unwrap_or(equilibrium),
+            omega0_squared: oscillator.omega0_squared().exact().cloned().unwrap_or(omega0_squared),
+            equilibrium: oscillator.equilibrium().exact().cloned().unwrap_or(equilibrium),
             ..heading
         };
         let answer = Expansion::new(&Rationals, heading, set, Certificate::TwoPrecisions);
@@ -335,13 +335,13 @@ impl<'a> SeriesProblem<'a> {
 const MAX_DEGREE: usize = 64;
 
 /// The acceleration with x measured from a position.
-fn counted_from(acceleration: &Expression, x: &Symbol, place: Option<&Rational>) -> Expression {
-    match place.filter(|place| !place.is_zero()) {
+fn counted_from(acceleration: &Expression, x: &Symbol, shift: Option<&Rational>) -> Expression {
+    match shift.filter(|origin| !origin.is_zero()) {
         None => acceleration.clone(),
-        Some(place) => {
+        Some(origin) => {
             let shifted = Expression::Add(
                 Box::new(Expression::Symbol(x.clone())),
-                Box::new(Expression::Number(place.clone())),
+                Box::new(Expression::Number(origin.clone())),
             );
             acceleration.substitute(x, &shifted)
         }
@@ -439,14 +439,14 @@ impl ExpansionError {
     }
 }
 
-fn interrupted(known: Option<Expansion>) -> ExpansionError {
-    ExpansionError::Interrupted { known: known.map(Box::new) }
+fn interrupted(partial: Option<Expansion>) -> ExpansionError {
+    ExpansionError::Interrupted { known: partial.map(Box::new) }
 }
 
-fn certain(known: Option<&Expansion>) -> String {
-    known.map_or_else(
+fn certain(partial: Option<&Expansion>) -> String {
+    partial.map_or_else(
         || "no order was confirmed".to_owned(),
-        |known| format!("order {} was confirmed", known.order),
+        |expansion| format!("order {} was confirmed", expansion.order),
     )
 }
 

@@ -33,12 +33,12 @@ pub fn exact_series(model: &Model<Rational>, watch: &Watch<'_>) -> Result<Series
     let numbers = match reconstruct(&mut images, primes) {
         Ok(numbers) => numbers.ok_or(Unsolved::NoPrimes)?,
         Err(Stopped { error: NoImage::NoPrimes, .. }) => return Err(Unsolved::NoPrimes),
-        Err(Stopped { error: NoImage::Interrupted, known }) => {
-            let known = images.shape.zip(known).and_then(|(shape, (numbers, complete))| {
+        Err(Stopped { error: NoImage::Interrupted, certain }) => {
+            let confirmed = images.shape.zip(certain).and_then(|(shape, (numbers, complete))| {
                 let set = shape.with_numbers(numbers.into_iter())?.without_last(model.order - complete);
                 (complete > 0).then_some(set)
             });
-            return Err(Unsolved::Interrupted(known.map(Box::new)));
+            return Err(Unsolved::Interrupted(confirmed.map(Box::new)));
         }
     };
     let set = images.shape.and_then(|shape| shape.with_numbers(numbers.into_iter()));

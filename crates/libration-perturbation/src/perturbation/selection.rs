@@ -22,11 +22,11 @@ impl SelectionCondition {
     /// The selection from the exact values that a polynomial of this degree in x and x′ needs; `None` when one is not rational.
     pub(crate) fn new(tape: &Tape, omega0: &Rational, degree: usize, symmetric: bool) -> Option<Self> {
         let ring = HarmonicSums { numbers: Rationals };
-        let places: Vec<Rational> =
+        let amplitudes: Vec<Rational> =
             (1..=i64::try_from(degree.div_ceil(2)).ok()?).map(Rational::from).collect();
         let value = |a: &Rational| first_sine(&ring, tape, omega0, a)?.checked_div(a);
-        let values = places.iter().map(value).collect::<Option<Vec<_>>>()?;
-        let squares: Vec<Rational> = places.iter().map(|a| Rationals.multiply(a, a)).collect();
+        let values = amplitudes.iter().map(value).collect::<Option<Vec<_>>>()?;
+        let squares: Vec<Rational> = amplitudes.iter().map(|a| Rationals.multiply(a, a)).collect();
         Some(Self { coefficients: interpolated(&Rationals, &squares, &values)?, degree, symmetric })
     }
 
@@ -143,22 +143,22 @@ pub(crate) enum Attracting {
 /// The coefficients of the polynomial through the points, by Newton's divided differences.
 pub(crate) fn interpolated<R: Ring>(
     ring: &R,
-    places: &[R::Element],
+    points: &[R::Element],
     values: &[R::Element],
 ) -> Option<Vec<R::Element>> {
     let mut differences = values.to_vec();
-    for step in 1..places.len() {
-        for i in (step..places.len()).rev() {
+    for step in 1..points.len() {
+        for i in (step..points.len()).rev() {
             let rise = ring.subtract(&differences[i], &differences[i - 1]);
-            differences[i] = ring.divide(&rise, &ring.subtract(&places[i], &places[i - step]))?;
+            differences[i] = ring.divide(&rise, &ring.subtract(&points[i], &points[i - step]))?;
         }
     }
     let mut polynomial: Vec<R::Element> = vec![];
-    for (place, difference) in places.iter().zip(&differences).rev() {
+    for (point, difference) in points.iter().zip(&differences).rev() {
         // polynomial·(s − place) + difference.
         polynomial.insert(0, ring.zero());
         for i in 0..polynomial.len() - 1 {
-            let carried = ring.multiply(&polynomial[i + 1], place);
+            let carried = ring.multiply(&polynomial[i + 1], point);
             polynomial[i] = ring.subtract(&polynomial[i], &carried);
         }
         polynomial[0] = ring.add(&polynomial[0], difference);

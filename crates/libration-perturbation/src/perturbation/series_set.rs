@@ -85,10 +85,10 @@ impl<E: Clone> SeriesSet<E> {
             epsilon: of(family, &of_own.epsilon),
             harmonics: of_own.harmonics.iter().map(|series| of(family, series)).collect(),
         };
-        let both = |place: Place| HarmonicPair { cosine: place, sine: place };
+        let both = |position: Place| HarmonicPair { cosine: position, sine: position };
         let of_harmonic =
             |series: &Vec<HarmonicPair<E>>| places_of(0, series.len(), order).into_iter().map(both).collect();
-        let places = SeriesSet {
+        let positions = SeriesSet {
             frequency: of(0, &self.frequency),
             harmonics: self.harmonics.iter().map(of_harmonic).collect(),
             x_max: of(0, &self.x_max),
@@ -96,7 +96,7 @@ impl<E: Clone> SeriesSet<E> {
             of_amplitude: self.of_amplitude.as_ref().map(|of_amplitude| of_variable(1, of_amplitude)),
             of_half_swing: self.of_half_swing.as_ref().map(|of_half_swing| of_variable(2, of_half_swing)),
         };
-        places.numbers()
+        positions.numbers()
     }
 
     /// The set of an expansion to a lower order.
@@ -124,9 +124,9 @@ impl<E: Clone> SeriesSet<E> {
             (&mut common.of_amplitude, &lower.of_amplitude),
             (&mut common.of_half_swing, &lower.of_half_swing),
         ];
-        for (own, lower) in pairs {
-            if let (Some(own), Some(lower)) = (own, lower) {
-                own.harmonics.truncate(lower.harmonics.len());
+        for (set, lower) in pairs {
+            if let (Some(higher), Some(lower)) = (set, lower) {
+                higher.harmonics.truncate(lower.harmonics.len());
             }
         }
         common
@@ -175,8 +175,8 @@ impl<E: Clone> OfAmplitude<E> {
 
 /// The positions of the terms of a series, whose last term has the order of the expansion.
 fn places_of(family: usize, length: usize, order: usize) -> Vec<Place> {
-    let place = |n: usize| Place { order: (n + order + 1).saturating_sub(length), family };
-    (0..length).map(place).collect()
+    let position = |n: usize| Place { order: (n + order + 1).saturating_sub(length), family };
+    (0..length).map(position).collect()
 }
 
 /// The family with its variable replaced by a series in another one.

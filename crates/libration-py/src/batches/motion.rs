@@ -13,28 +13,30 @@ use super::{add, documented};
 pub(super) fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     add(module, documented!("state"), |[times, amplitudes, frequencies], [angles, velocities]| {
         for run in runs(times.len(), |i| frequencies[i].to_bits()) {
-            let found = (&mut angles[run.clone()], &mut velocities[run.clone()]);
-            released(&times[run.clone()], &amplitudes[run.clone()], frequencies[run.start], found)?;
+            let outputs = (&mut angles[run.clone()], &mut velocities[run.clone()]);
+            released(&times[run.clone()], &amplitudes[run.clone()], frequencies[run.start], outputs)?;
         }
         Ok(())
     })?;
     add(module, documented!("motion"), |[times, from, with, frequencies], [angles, velocities]| {
         let key = |i: usize| (frequencies[i].to_bits(), Start::new(from[i], with[i]).key());
         for run in runs(times.len(), key) {
-            let found = (&mut angles[run.clone()], &mut velocities[run.clone()]);
+            let results = (&mut angles[run.clone()], &mut velocities[run.clone()]);
             let (all, times, frequency) = (&times, &times[run.clone()], frequencies[run.start]);
             match Start::new(from[run.start], with[run.start]) {
                 Start::Released => {
-                    released(times, &from[run.clone()], frequency, found)?;
+                    released(times, &from[run.clone()], frequency, results)?;
                     for i in run {
                         // A prepared motion resolves the phase up to a later time.
                         if angles[i].is_nan() {
-                            let found = (&mut angles[i..=i], &mut velocities[i..=i]);
-                            launched(&all[i..=i], frequency, (from[i], 0.0), found)?;
+                            let outputs = (&mut angles[i..=i], &mut velocities[i..=i]);
+                            launched(&all[i..=i], frequency, (from[i], 0.0), outputs)?;
                         }
                     }
                 }
-                Start::Launched { angle, velocity } => launched(times, frequency, (angle, velocity), found)?,
+                Start::Launched { angle, velocity } => {
+                    launched(times, frequency, (angle, velocity), results)?;
+                }
             }
         }
         Ok(())

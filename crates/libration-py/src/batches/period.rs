@@ -15,10 +15,10 @@ pub(super) fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
     add(module, documented!("period_ratio_near_top"), |[complements], [ratios]| {
         period_ratios_near_top(complements, ratios)
     })?;
-    add(module, documented!("period"), |[amplitudes, lengths, gravities], [found]| {
-        periods(amplitudes, lengths, gravities, found)
+    add(module, documented!("period"), |[amplitudes, lengths, gravities], [results]| {
+        periods(amplitudes, lengths, gravities, results)
     })?;
-    add(module, documented!("nome"), |[amplitudes], [found]| nomes(amplitudes, found))
+    add(module, documented!("nome"), |[amplitudes], [results]| nomes(amplitudes, results))
 }
 
 /// The nome of each amplitude; NaN if it is not the amplitude of a libration.

@@ -89,17 +89,17 @@ impl AmplitudeOptions {
 
 impl Amplitudes {
     pub(crate) fn iter(&self) -> impl Iterator<Item = (Amplitude, Option<f64>)> + '_ {
-        (0..self.len()).filter_map(|place| self.get(place))
+        (0..self.len()).filter_map(|index| self.get(index))
     }
 
     /// The amplitude at an index, and its uncertainty if it is inferred from a period.
-    pub(crate) fn get(&self, place: usize) -> Option<(Amplitude, Option<f64>)> {
-        let mut in_set = place;
+    pub(crate) fn get(&self, index: usize) -> Option<(Amplitude, Option<f64>)> {
+        let mut in_set = index;
         for set in &self.sets {
             if in_set < set.len() {
                 let below_pi = "an angle no larger than an amplitude is an amplitude";
                 let amplitude = set.get(in_set).map(|angle| Amplitude::new(angle).expect(below_pi))?;
-                return Some((amplitude, self.uncertainties.get(place).copied()));
+                return Some((amplitude, self.uncertainties.get(index).copied()));
             }
             in_set -= set.len();
         }
@@ -118,10 +118,10 @@ impl Amplitudes {
 }
 
 impl AngleSet {
-    fn get(&self, place: usize) -> Option<Angle> {
+    fn get(&self, index: usize) -> Option<Angle> {
         match self {
-            Self::List(angles) => angles.get(place).copied(),
-            Self::Range(range) => range.get(place),
+            Self::List(angles) => angles.get(index).copied(),
+            Self::Range(range) => range.get(index),
         }
     }
 
@@ -136,7 +136,7 @@ impl AngleSet {
     fn widest(&self) -> impl Iterator<Item = Angle> + '_ {
         let last = self.len().saturating_sub(1);
         let step = if let Self::Range(_) = self { last.max(1) } else { 1 };
-        (0..=last).step_by(step).filter_map(|place| self.get(place))
+        (0..=last).step_by(step).filter_map(|index| self.get(index))
     }
 }
 
@@ -155,7 +155,7 @@ fn angles_in_file(path: &Path) -> Result<Vec<Angle>, QueryError> {
     let read = |line: &str| line.parse().map(|angle: Angle| (angle, BareRadians::in_text(line).is_some()));
     let angles = lines::values(path, &text, read)?;
     let doubtful = angles.iter().position(|(_, is_doubtful)| *is_doubtful);
-    if let Some((_, line)) = doubtful.and_then(|place| lines::numbered(&text).nth(place)) {
+    if let Some((_, line)) = doubtful.and_then(|index| lines::numbered(&text).nth(index)) {
         bare::say(line);
     }
     Ok(angles.into_iter().map(|(angle, _)| angle).collect())

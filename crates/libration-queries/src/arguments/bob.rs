@@ -16,14 +16,14 @@ pub(super) fn bob(text: &str) -> Result<Bob, String> {
     let (mut radius, mut height, mut inner_radius) = (None, None, None);
     for each in lengths.split(',') {
         let (name, length) = each.split_once('=').ok_or_else(|| FORM.to_owned())?;
-        let place = match name.trim() {
+        let dimension = match name.trim() {
             "radius" => &mut radius,
             "height" if shape.needs_height() => &mut height,
             "thickness" if shape.has_height() && !shape.needs_height() => &mut height,
             "inner" if shape == BobShape::Ring => &mut inner_radius,
             other => return Err(format!("a {} has no `{other}`: {FORM}", shape.name())),
         };
-        if place.replace(length_with_uncertainty(length)?).is_some() {
+        if dimension.replace(length_with_uncertainty(length)?).is_some() {
             return Err(format!("`{}` is given twice", name.trim()));
         }
     }

@@ -91,20 +91,20 @@ impl<const N: usize> ColumnsInSi<N> {
         let units = ColumnUnits::from_headings(table, chosen, wanted, &read)?;
         let names = labels(&read)?;
         let (read, ignored) = chosen.rows.choose(read, wanted[0], units.units[0], names.as_deref())?;
-        let numbers = |place: usize, column: &Option<Column>| -> Option<Vec<f64>> {
-            column.as_ref().map(|_| read.quantities[place].iter().map(|it| it[0]).collect())
+        let numbers = |index: usize, column: &Option<Column>| -> Option<Vec<f64>> {
+            column.as_ref().map(|_| read.quantities[index].iter().map(|it| it[0]).collect())
         };
         let swings = numbers(N, &chosen.column_of_swings);
         let numbers_of_readings = numbers(N + 1, &chosen.column_of_readings);
         let rows = SiRows { table, chosen, wanted, units: &units, read: &read, swings, numbers_of_readings };
         let rows = rows.checked()?;
-        let repeated: [Option<RepeatedReadings>; N] = std::array::from_fn(|place| rows.repeated(place));
+        let repeated: [Option<RepeatedReadings>; N] = std::array::from_fn(|index| rows.repeated(index));
         let groups = labels(&read)?;
         let sheet = table.chosen_sheet().map(|name| format!("sheet `{name}` is read"));
-        let of_readings = (0..N).flat_map(|place| rows.described(place, repeated[place].as_ref()));
+        let of_readings = (0..N).flat_map(|index| rows.described(index, repeated[index].as_ref()));
         let is_repeated =
-            |place: usize| wanted[place].uncertainties_of.is_some_and(|of| repeated[of].is_some());
-        let of_headings = (0..N).filter_map(|place| rows.described_uncertainty(place, is_repeated(place)));
+            |index: usize| wanted[index].uncertainties_of.is_some_and(|of| repeated[of].is_some());
+        let of_headings = (0..N).filter_map(|index| rows.described_uncertainty(index, is_repeated(index)));
         let sentences = sheet
             .into_iter()
             .chain(table.notes())
@@ -115,19 +115,19 @@ impl<const N: usize> ColumnsInSi<N> {
             .chain(of_headings)
             .chain(of_readings)
             .collect();
-        let stated = std::array::from_fn(|place| (units.units[place], units.are_stated[place]));
+        let stated = std::array::from_fn(|index| (units.units[index], units.are_stated[index]));
         let counts = chosen.column_of_swings.is_none().then_some(units.counts);
         let read_columns = chosen.roles.iter().map(|role| role.with_units(wanted, stated, counts)).collect();
         Ok(Self {
-            columns: std::array::from_fn(|place| rows.column(place, &repeated)),
-            rounding: std::array::from_fn(|place| rows.rounding(place)),
-            shared_timing: (0..N).find_map(|place| rows.shared_timing(place)),
+            columns: std::array::from_fn(|index| rows.column(index, &repeated)),
+            rounding: std::array::from_fn(|index| rows.rounding(index)),
+            shared_timing: (0..N).find_map(|index| rows.shared_timing(index)),
             groups,
             lines: read.lines.clone(),
             dropped: read.dropped,
             counts: units.counts,
             units: units.units,
-            are_stated: std::array::from_fn(|place| units.are_stated[place] || wanted[place].states_unit()),
+            are_stated: std::array::from_fn(|index| units.are_stated[index] || wanted[index].states_unit()),
             repeated,
             inferences: Inferences { sentences, columns: read_columns },
         })

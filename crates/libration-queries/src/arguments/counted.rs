@@ -47,17 +47,17 @@ impl CountedOptions {
         usual: f64,
         by_lengths: impl Fn(f64) -> Option<f64>,
     ) -> Result<(f64, Option<String>), String> {
-        let place = table.describe(column).map_err(|error| error.to_string())?;
+        let name = table.describe(column).map_err(|error| error.to_string())?;
         let written = table.counted_periods(column).map_err(|error| error.to_string())?;
         let sentence =
-            |count: f64| (!is_same(count, 1.0)).then(|| format!("{place} holds times of {}", periods(count)));
+            |count: f64| (!is_same(count, 1.0)).then(|| format!("{name} holds times of {}", periods(count)));
         Ok(match (self.said(), written) {
             (Some((option, count)), CountedPeriods::Said(other)) if !is_same(count, other) => {
                 let taken = periods(count);
                 (
                     count,
                     Some(format!(
-                        "{place} is read as times of {taken} (<{option}>), not of {} as its header says",
+                        "{name} is read as times of {taken} (<{option}>), not of {} as its header says",
                         periods(other)
                     )),
                 )
@@ -71,13 +71,13 @@ impl CountedOptions {
                     if is_same(number, 2.0) { "; squares have the heading `T^2 (s^2)`" } else { "" };
                 let swings = by_lengths(number).ok_or_else(|| {
                     format!(
-                        "{place} may hold times of {number} swings, or of one swing in the reading of that number: give \
+                        "{name} may hold times of {number} swings, or of one swing in the reading of that number: give \
                          <--swings-per-reading={number}> or <--swings-per-reading=1>{squares}"
                     )
                 })?;
                 let other = if is_same(swings, 1.0) { number } else { 1.0 };
                 let sentence = format!(
-                    "{place} holds times of {}: with {} the lengths would give g far from 9.8 m/s² (<--swings-per-reading>)",
+                    "{name} holds times of {}: with {} the lengths would give g far from 9.8 m/s² (<--swings-per-reading>)",
                     periods(swings),
                     periods(other)
                 );
@@ -85,7 +85,7 @@ impl CountedOptions {
             }
             (None, CountedPeriods::Unclear(_)) => {
                 return Err(format!(
-                    "{place} may hold times of several periods or of parts of one: give the number by <--swings-per-reading>, or \
+                    "{name} may hold times of several periods or of parts of one: give the number by <--swings-per-reading>, or \
                      <--half-periods>"
                 ));
             }

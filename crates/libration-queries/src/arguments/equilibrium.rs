@@ -28,8 +28,8 @@ impl EquilibriumOptions {
             let (name, value) = item.split_once('=').ok_or_else(|| {
                 refusal(format!("`{}` has no value: give NAME=VALUE, such as x=1", item.trim()))
             })?;
-            let place = coordinate(model, &option("about"), name)?;
-            guess[place] = number(&model.coordinates()[place], value.trim())?;
+            let index = coordinate(model, &option("about"), name)?;
+            guess[index] = number(&model.coordinates()[index], value.trim())?;
         }
         Ok(guess)
     }

@@ -31,7 +31,7 @@ impl ReadColumn {
     /// All columns with roles, in the order of the table; units are not known here.
     pub(super) fn all(table: &Table, wanted: &[Wanted], roles: &TableRoles) -> Vec<Self> {
         let column = |column, role: &str, wanted| {
-            let number = table.place(column).ok()? + 1;
+            let number = table.index_of(column).ok()? + 1;
             Some(Self {
                 number,
                 role: role.to_owned(),
@@ -41,12 +41,12 @@ impl ReadColumn {
                 swings: None,
             })
         };
-        let places = (0..wanted.len()).filter_map(|place| Some((place, wanted[place].quantity()?)));
-        let of_quantities = places.zip(&roles.quantities).flat_map(|((place, quantity), columns)| {
+        let quantities = (0..wanted.len()).filter_map(|index| Some((index, wanted[index].quantity()?)));
+        let of_quantities = quantities.zip(&roles.quantities).flat_map(|((index, quantity), columns)| {
             let name = quantity.name;
-            let readings = columns.readings.iter().map(move |reading| column(reading, name, Some(place)));
+            let readings = columns.readings.iter().map(move |reading| column(reading, name, Some(index)));
             let uncertainties = columns.uncertainties.iter().map(move |(it, kind)| {
-                let of = |wanted: &Wanted| wanted.uncertainties_of() == Some(place);
+                let of = |wanted: &Wanted| wanted.uncertainties_of() == Some(index);
                 column(it, &format!("{name}-{}", kind.word()), wanted.iter().position(of))
             });
             readings.chain(uncertainties).collect::<Vec<_>>()
@@ -66,9 +66,9 @@ impl ReadColumn {
         units: [(Unit, bool); N],
         counts: Option<[f64; N]>,
     ) -> Self {
-        let Some(place) = self.wanted else { return self.clone() };
-        let (unit, is_unit_stated) = units[place];
-        let swings = counts.filter(|_| wanted[place].counted.is_some()).map(|counts| counts[place]);
+        let Some(index) = self.wanted else { return self.clone() };
+        let (unit, is_unit_stated) = units[index];
+        let swings = counts.filter(|_| wanted[index].counted.is_some()).map(|counts| counts[index]);
         Self { unit: Some(unit), is_unit_stated, swings, ..self.clone() }
     }
 }

@@ -57,13 +57,13 @@ impl InitialOptions {
         values: &[(&str, &str)],
         model: &Model,
     ) -> Result<Result<Initial, String>, QueryError> {
-        let own = self.initial.as_deref().map_or(Ok(vec![]), |text| items(text, model))?;
-        say_of_angles(&own, model, Meant::Motion);
+        let given = self.initial.as_deref().map_or(Ok(vec![]), |text| items(text, model))?;
+        say_of_angles(&given, model, Meant::Motion);
         // What is wrong with the option is not the fault of the others.
-        Initial::of_values(&own, model).map_err(usage)?;
-        match own.is_empty() && values.is_empty() {
+        Initial::of_values(&given, model).map_err(usage)?;
+        match given.is_empty() && values.is_empty() {
             true => Err(missing(model)),
-            false => Ok(Initial::of_values(&[&own, values].concat(), model)),
+            false => Ok(Initial::of_values(&[&given, values].concat(), model)),
         }
     }
 }

@@ -21,7 +21,7 @@ impl KeyOptions {
         if self.keys.is_empty() {
             return Ok(catalogue.into_iter().collect());
         }
-        let found = self.keys.iter().map(|key| by_key(key.trim()));
-        found.collect::<Result<_, _>>().map_err(|error| QueryError::usage(argument("KEY"), error))
+        let entries = self.keys.iter().map(|key| by_key(key.trim()));
+        entries.collect::<Result<_, _>>().map_err(|error| QueryError::usage(argument("KEY"), error))
     }
 }

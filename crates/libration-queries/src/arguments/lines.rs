@@ -30,8 +30,8 @@ pub(super) fn values<T: Send, E: Display + Send>(
         parallel::map(&pieces, |piece| piece.iter().map(parse).collect());
     let mut values = Vec::with_capacity(lines.len());
     for piece in parsed {
-        let place = |number| format!("{}, line {number}", path.display());
-        values.extend(piece.map_err(|(number, reason)| QueryError::no_result(&place(number), reason))?);
+        let location = |number| format!("{}, line {number}", path.display());
+        values.extend(piece.map_err(|(number, reason)| QueryError::no_result(&location(number), reason))?);
     }
     if values.is_empty() {
         return Err(QueryError::no_result(

@@ -123,8 +123,8 @@ fn cells(line: &str, separator: char) -> Vec<String> {
 
 fn columns(titles: &[String], system: &GivenSystem<'_>) -> Result<Vec<MotionColumn>, String> {
     let mut columns: Vec<MotionColumn> = vec![];
-    for (place, title) in titles.iter().enumerate() {
-        let column = column(title, system).ok_or_else(|| no_column(place, title, system))?;
+    for (index, title) in titles.iter().enumerate() {
+        let column = column(title, system).ok_or_else(|| no_column(index, title, system))?;
         if columns.contains(&column) {
             return Err(format!("there are two columns `{title}`: give one"));
         }
@@ -161,9 +161,9 @@ fn column(title: &str, system: &GivenSystem<'_>) -> Option<MotionColumn> {
     }
 }
 
-fn no_column(place: usize, title: &str, system: &GivenSystem<'_>) -> String {
+fn no_column(index: usize, title: &str, system: &GivenSystem<'_>) -> String {
     if title.is_empty() {
-        return format!("column {} has no name", place + 1);
+        return format!("column {} has no name", index + 1);
     }
     let parameters = system.free_parameters();
     let parameters = if parameters.is_empty() { "none".to_owned() } else { parameters.join(", ") };

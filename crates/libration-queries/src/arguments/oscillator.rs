@@ -154,7 +154,8 @@ impl OscillatorOptions {
             }
             Err(_) => (self.typed(&given, letters)?, None, "an equation of motion".to_owned()),
         };
-        let about = self.about.as_deref().map(|text| place(text, &equation, &given)).transpose()?;
+        let about =
+            self.about.as_deref().map(|text| value_of_variable(text, &equation, &given)).transpose()?;
         let open = equation.parameters();
         let mut values = values_used(named.ok(), &given);
         values.retain(|(name, _)| !open.contains(name));
@@ -188,9 +189,10 @@ impl OscillatorOptions {
             .collect();
         let equation =
             equation.with(&borrowed(&defaults)).map_err(|error| QueryError::usage(option("set"), error))?;
-        let about = self.about.as_deref().map(|text| place(text, &equation, &given)).transpose()?;
+        let about =
+            self.about.as_deref().map(|text| value_of_variable(text, &equation, &given)).transpose()?;
         let absent = |(name, value): &(String, Expression)| {
-            given.iter().any(|(own, _)| own == name) || *value != Expression::from(0)
+            given.iter().any(|(given_name, _)| given_name == name) || *value != Expression::from(0)
         };
         let values = given.iter().cloned().chain(defaults.into_iter().filter(absent));
         let values = values.map(|(name, value)| (name, value.to_string())).collect();
@@ -225,7 +227,7 @@ impl Asked {
     fn oscillator(&self) -> Result<Oscillator, OscillatorError> {
         match &self.about {
             None => Oscillator::new(&self.equation),
-            Some(place) => Oscillator::about(&self.equation, place),
+            Some(equilibrium) => Oscillator::about(&self.equation, equilibrium),
         }
     }
 
@@ -236,7 +238,11 @@ impl Asked {
 }
 
 /// A value of the variable: a formula of numbers and parameters, or an angle if the variable is one.
-fn place(text: &str, equation: &Equation, given: &[(String, Expression)]) -> Result<Expression, QueryError> {
+fn value_of_variable(
+    text: &str,
+    equation: &Equation,
+    given: &[(String, Expression)],
+) -> Result<Expression, QueryError> {
     let refusal = |reason: String| QueryError::usage(option("about"), reason);
     let variable = equation.variables().first().map_or("", String::as_str);
     let with_value = |formula: Expression, (name, value): &(String, Expression)| {

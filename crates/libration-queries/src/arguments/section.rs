@@ -70,8 +70,8 @@ impl SectionOptions {
         match &self.at {
             Some(formula) => Section::Crossing { formula: formula.clone(), direction: self.direction.into() },
             None => {
-                let known = model.drive_frequency().map(|frequency| TAU / frequency.abs());
-                let period = self.period.or(known.filter(|period| period.is_finite()));
+                let drive_period = model.drive_frequency().map(|frequency| TAU / frequency.abs());
+                let period = self.period.or(drive_period.filter(|period| period.is_finite()));
                 Section::Stroboscope { period, phase: self.phase }
             }
         }
@@ -81,8 +81,8 @@ impl SectionOptions {
     pub(crate) fn known_section(&self, model: &Model) -> Result<Section, QueryError> {
         let mut section = self.section(model);
         if let Section::Crossing { formula, .. } = &mut section {
-            let known = model.zero_of(&formula.to_string());
-            *formula = known.map_err(|error| QueryError::usage(option("at"), error))?;
+            let zero = model.zero_of(&formula.to_string());
+            *formula = zero.map_err(|error| QueryError::usage(option("at"), error))?;
         }
         Ok(section)
     }
@@ -144,8 +144,8 @@ fn folded_state(state: &[f64], angles: &[bool]) -> Vec<f64> {
 /// The index of the state component with this name.
 pub(crate) fn place_in_state(model: &Model, argument: &Parameter, name: &str) -> Result<usize, QueryError> {
     let names = model.state_names();
-    let place = names.iter().position(|known| *known == plain_name(name));
-    place.ok_or_else(|| {
+    let index = names.iter().position(|other| *other == plain_name(name));
+    index.ok_or_else(|| {
         QueryError::usage(
             argument,
             format!("the system has no state variable `{}`: it has {}", name.trim(), names.join(", ")),
@@ -156,9 +156,12 @@ pub(crate) fn place_in_state(model: &Model, argument: &Parameter, name: &str) ->
 /// The number of the coordinate with this name.
 pub(crate) fn coordinate(model: &Model, argument: &Parameter, name: &str) -> Result<usize, QueryError> {
     let names: Vec<&str> = model.coordinates().iter().map(|coordinate| coordinate.name.as_str()).collect();
-    names.iter().position(|known| *known == plain_name(name)).ok_or_else(|| {
-        let known = names.join(", ");
-        QueryError::usage(argument, format!("the system has no coordinate `{}`: it has {known}", name.trim()))
+    names.iter().position(|other| *other == plain_name(name)).ok_or_else(|| {
+        let available = names.join(", ");
+        QueryError::usage(
+            argument,
+            format!("the system has no coordinate `{}`: it has {available}", name.trim()),
+        )
     })
 }
 

@@ -46,107 +46,107 @@ impl<const N: usize> SiRows<'_, N> {
 
     /// The first row with a negative standard deviation of its readings.
     fn bad_deviation(&self) -> Option<usize> {
-        let are_deviations = |place: &usize| self.chosen.kinds[*place] == UncertaintyKind::Deviation;
+        let are_deviations = |index: &usize| self.chosen.kinds[*index] == UncertaintyKind::Deviation;
         let columns =
-            (0..N).filter(are_deviations).filter(|place| self.wanted[*place].uncertainties_of.is_some());
+            (0..N).filter(are_deviations).filter(|index| self.wanted[*index].uncertainties_of.is_some());
         let negative =
             |of: usize| self.read.quantities[of].iter().position(|it| it.iter().any(|&it| it < 0.0));
         columns.filter_map(negative).min()
     }
 
     /// Number of periods in a time; one for other quantities.
-    fn swings_of(&self, place: usize, row: usize) -> f64 {
+    fn swings_of(&self, index: usize, row: usize) -> f64 {
         match &self.swings {
-            Some(swings) if self.wanted[place].counted.is_some_and(|counted| counted.said().is_none()) => {
+            Some(swings) if self.wanted[index].counted.is_some_and(|counted| counted.said().is_none()) => {
                 swings[row]
             }
-            _ => self.units.counts[place],
+            _ => self.units.counts[index],
         }
     }
 
     /// The readings of a row in the SI, not divided by the number of periods.
-    fn readings(&self, place: usize, row: usize) -> Vec<f64> {
+    fn readings(&self, index: usize, row: usize) -> Vec<f64> {
         let in_si = |number: &f64| {
-            let value = self.units.units[place].to_si(*number);
+            let value = self.units.units[index].to_si(*number);
             // A square of times is as often of seconds as the unit of the times is.
-            if self.chosen.are_squares[place] { number.sqrt() } else { value }
+            if self.chosen.are_squares[index] { number.sqrt() } else { value }
         };
-        self.read.quantities[place][row].iter().map(in_si).collect()
+        self.read.quantities[index][row].iter().map(in_si).collect()
     }
 
     /// The last digit of the readings, in the SI.
-    fn step(&self, place: usize) -> f64 {
-        let steps = self.chosen.columns[place].iter().map(|column| self.table.step(column).unwrap_or(0.0));
-        let step = self.units.units[place].to_si(steps.fold(0.0, f64::max));
-        if self.chosen.are_squares[place] { 0.0 } else { step }
+    fn step(&self, index: usize) -> f64 {
+        let steps = self.chosen.columns[index].iter().map(|column| self.table.step(column).unwrap_or(0.0));
+        let step = self.units.units[index].to_si(steps.fold(0.0, f64::max));
+        if self.chosen.are_squares[index] { 0.0 } else { step }
     }
 
     /// The repeated readings of a column, converted to single periods.
-    pub(super) fn repeated(&self, place: usize) -> Option<RepeatedReadings> {
-        if self.wanted[place].uncertainties_of.is_some() {
+    pub(super) fn repeated(&self, index: usize) -> Option<RepeatedReadings> {
+        if self.wanted[index].uncertainties_of.is_some() {
             return None;
         }
         let rows = 0..self.read.lines.len();
-        let readings: Vec<Vec<f64>> = rows.map(|row| self.readings(place, row)).collect();
-        let mut found = match self.summaries(place, &readings) {
-            Some(summaries) => RepeatedReadings::of_summaries(&summaries, self.step(place))?,
-            None if self.chosen.columns[place].len() > 1 => {
-                RepeatedReadings::new(&readings, self.step(place))?
+        let readings: Vec<Vec<f64>> = rows.map(|row| self.readings(index, row)).collect();
+        let mut repeated = match self.summaries(index, &readings) {
+            Some(summaries) => RepeatedReadings::of_summaries(&summaries, self.step(index))?,
+            None if self.chosen.columns[index].len() > 1 => {
+                RepeatedReadings::new(&readings, self.step(index))?
             }
             None => return None,
         };
-        for (row, mean) in found.rows.iter_mut().enumerate() {
-            *mean = mean.times(1.0 / self.swings_of(place, row));
+        for (row, mean) in repeated.rows.iter_mut().enumerate() {
+            *mean = mean.times(1.0 / self.swings_of(index, row));
         }
-        Some(found)
+        Some(repeated)
     }
 
     /// Means, standard deviations and numbers of readings, where columns hold them.
-    fn summaries(&self, place: usize, means: &[Vec<f64>]) -> Option<Vec<ReadingSummary>> {
+    fn summaries(&self, index: usize, means: &[Vec<f64>]) -> Option<Vec<ReadingSummary>> {
         let numbers = self.numbers_of_readings.as_ref()?;
         let is_deviation = |of: &usize| {
-            self.wanted[*of].uncertainties_of == Some(place)
+            self.wanted[*of].uncertainties_of == Some(index)
                 && self.chosen.kinds[*of] == UncertaintyKind::Deviation
                 && !self.chosen.columns[*of].is_empty()
         };
         let column = (0..N).find(is_deviation)?;
-        let deviations = self.written(column, place, |written| self.units.units[column].to_si(written));
+        let deviations = self.written(column, index, |written| self.units.units[column].to_si(written));
         let rows = means.iter().zip(deviations).zip(numbers);
         Some(rows.map(|((mean, deviation), number)| summary(mean[0], deviation, *number)).collect())
     }
 
     /// Standard uncertainties by rounding.
-    pub(super) fn rounding(&self, place: usize) -> Vec<f64> {
-        let of_reading = UncertaintyKind::Resolution.standard(self.step(place));
-        (0..self.read.lines.len()).map(|row| of_reading / self.swings_of(place, row)).collect()
+    pub(super) fn rounding(&self, index: usize) -> Vec<f64> {
+        let of_reading = UncertaintyKind::Resolution.standard(self.step(index));
+        (0..self.read.lines.len()).map(|row| of_reading / self.swings_of(index, row)).collect()
     }
 
     /// Standard uncertainties of periods by the common error of all timings.
-    pub(super) fn shared_timing(&self, place: usize) -> Option<Vec<f64>> {
-        let of_reading = self.wanted[place].counted.filter(|_| self.wanted[place].uncertainties_of.is_none());
+    pub(super) fn shared_timing(&self, index: usize) -> Option<Vec<f64>> {
+        let of_reading = self.wanted[index].counted.filter(|_| self.wanted[index].uncertainties_of.is_none());
         let of_reading = of_reading?.shared_timing()?;
-        Some((0..self.read.lines.len()).map(|row| of_reading / self.swings_of(place, row)).collect())
+        Some((0..self.read.lines.len()).map(|row| of_reading / self.swings_of(index, row)).collect())
     }
 
     /// Standard uncertainties of single timings by reaction time and rounding.
-    fn by_reaction(&self, place: usize) -> Option<Vec<f64>> {
-        let reaction = self.wanted[place].counted?.reaction_time()?;
+    fn by_reaction(&self, index: usize) -> Option<Vec<f64>> {
+        let reaction = self.wanted[index].counted?.reaction_time()?;
         let one = |(row, rounding): (usize, f64)| {
-            let reaction = reaction / self.swings_of(place, row);
+            let reaction = reaction / self.swings_of(index, row);
             (reaction * reaction + rounding * rounding).sqrt()
         };
-        Some(self.rounding(place).into_iter().enumerate().map(one).collect())
+        Some(self.rounding(index).into_iter().enumerate().map(one).collect())
     }
 
-    pub(super) fn column(&self, place: usize, repeated: &[Option<RepeatedReadings>; N]) -> Option<Vec<f64>> {
-        match self.wanted[place].uncertainties_of {
-            None => self.values(place, repeated[place].as_ref()),
-            Some(of) => self.uncertainties(place, of, repeated[of].as_ref()),
+    pub(super) fn column(&self, index: usize, repeated: &[Option<RepeatedReadings>; N]) -> Option<Vec<f64>> {
+        match self.wanted[index].uncertainties_of {
+            None => self.values(index, repeated[index].as_ref()),
+            Some(of) => self.uncertainties(index, of, repeated[of].as_ref()),
         }
     }
 
-    fn values(&self, place: usize, repeated: Option<&RepeatedReadings>) -> Option<Vec<f64>> {
-        if self.chosen.columns[place].is_empty() {
+    fn values(&self, index: usize, repeated: Option<&RepeatedReadings>) -> Option<Vec<f64>> {
+        if self.chosen.columns[index].is_empty() {
             return None;
         }
         if let Some(repeated) = repeated {
@@ -154,11 +154,11 @@ impl<const N: usize> SiRows<'_, N> {
         }
         let rows = 0..self.read.lines.len();
         let value = |row: usize| {
-            let readings = self.readings(place, row);
+            let readings = self.readings(index, row);
             let sum: f64 = readings.iter().sum();
             // One reading is exactly itself.
             let mean = if readings.len() == 1 { readings[0] } else { sum / count(readings.len()) };
-            mean / self.swings_of(place, row)
+            mean / self.swings_of(index, row)
         };
         Some(rows.map(value).collect())
     }
@@ -166,21 +166,21 @@ impl<const N: usize> SiRows<'_, N> {
     /// Standard uncertainties: from a column, else from repeated readings, else from the cells.
     fn uncertainties(
         &self,
-        place: usize,
+        index: usize,
         of: usize,
         repeated: Option<&RepeatedReadings>,
     ) -> Option<Vec<f64>> {
-        let (kind, unit) = (self.chosen.kinds[place], self.units.units[place]);
-        let own = self.read.uncertainties[of].as_ref().filter(|_| !self.chosen.columns[of].is_empty());
-        let written: Vec<f64> = match (self.chosen.columns[place].is_empty(), repeated, own) {
-            (false, None, _) => self.written(place, of, |written| kind.standard(unit.to_si(written))),
+        let (kind, unit) = (self.chosen.kinds[index], self.units.units[index]);
+        let of_cells = self.read.uncertainties[of].as_ref().filter(|_| !self.chosen.columns[of].is_empty());
+        let written: Vec<f64> = match (self.chosen.columns[index].is_empty(), repeated, of_cells) {
+            (false, None, _) => self.written(index, of, |written| kind.standard(unit.to_si(written))),
             (false, Some(_), _) if kind != UncertaintyKind::Deviation => {
-                self.written(place, of, |written| kind.standard(unit.to_si(written)))
+                self.written(index, of, |written| kind.standard(unit.to_si(written)))
             }
             (_, Some(repeated), _) => {
                 return Some(repeated.rows.iter().map(|row| row.uncertainty).collect());
             }
-            (true, None, Some(own)) => own.iter().map(|it| self.units.units[of].to_si(*it)).collect(),
+            (true, None, Some(cells)) => cells.iter().map(|it| self.units.units[of].to_si(*it)).collect(),
             (true, None, None) => match self.stated(of) {
                 Some(stated) => stated,
                 None => return self.by_reaction(of),
@@ -196,39 +196,39 @@ impl<const N: usize> SiRows<'_, N> {
     }
 
     /// Uncertainties of a column: relative to the readings, or in the unit of the column.
-    fn written(&self, place: usize, of: usize, standard: impl Fn(f64) -> f64) -> Vec<f64> {
-        let numbers = self.read.quantities[place].iter().map(|it| it[0]).enumerate();
-        let one = |(row, number): (usize, f64)| match self.units.fractions[place] {
-            Some(fraction) => self.chosen.kinds[place].standard(fraction * number) * self.quantity(of, row),
+    fn written(&self, index: usize, of: usize, standard: impl Fn(f64) -> f64) -> Vec<f64> {
+        let numbers = self.read.quantities[index].iter().map(|it| it[0]).enumerate();
+        let one = |(row, number): (usize, f64)| match self.units.fractions[index] {
+            Some(fraction) => self.chosen.kinds[index].standard(fraction * number) * self.quantity(of, row),
             None => standard(number),
         };
         numbers.map(one).collect()
     }
 
     /// Magnitude of a single reading, or its square if the column contains squares.
-    fn quantity(&self, place: usize, row: usize) -> f64 {
-        let reading = self.readings(place, row)[0].abs();
-        if self.chosen.are_squares[place] { reading * reading } else { reading }
+    fn quantity(&self, index: usize, row: usize) -> f64 {
+        let reading = self.readings(index, row)[0].abs();
+        if self.chosen.are_squares[index] { reading * reading } else { reading }
     }
 
     /// Uncertainties that the heading states for all readings.
-    fn stated(&self, place: usize) -> Option<Vec<f64>> {
-        let stated = self.table.stated_uncertainty(self.chosen.columns[place].first()?).ok()??;
-        let unit = stated.unit.unwrap_or(self.units.units[place]);
+    fn stated(&self, index: usize) -> Option<Vec<f64>> {
+        let stated = self.table.stated_uncertainty(self.chosen.columns[index].first()?).ok()??;
+        let unit = stated.unit.unwrap_or(self.units.units[index]);
         let one = |row: usize| match stated.is_relative {
-            true => stated.value * self.quantity(place, row),
+            true => stated.value * self.quantity(index, row),
             false => unit.to_si(stated.value),
         };
         Some((0..self.read.lines.len()).map(one).collect())
     }
 
     /// Sentences about uncertainties in headings.
-    pub(super) fn described_uncertainty(&self, place: usize, repeated: bool) -> Option<String> {
-        let of = self.wanted[place].uncertainties_of?;
+    pub(super) fn described_uncertainty(&self, index: usize, repeated: bool) -> Option<String> {
+        let of = self.wanted[index].uncertainties_of?;
         let column = self.chosen.columns[of].first()?;
         let name = self.table.describe(column).ok()?;
         self.table.stated_uncertainty(column).ok()??;
-        let others = !self.chosen.columns[place].is_empty() || self.read.uncertainties[of].is_some();
+        let others = !self.chosen.columns[index].is_empty() || self.read.uncertainties[of].is_some();
         Some(match (repeated, others) {
             (true, _) => {
                 format!("{name}: its uncertainty is not used, since the readings have that of their scatter")
@@ -239,11 +239,11 @@ impl<const N: usize> SiRows<'_, N> {
     }
 
     /// Sentences about repeated readings.
-    pub(super) fn described(&self, place: usize, repeated: Option<&RepeatedReadings>) -> Vec<String> {
-        let (Some(repeated), Some(quantity)) = (repeated, self.wanted[place].quantity()) else {
+    pub(super) fn described(&self, index: usize, repeated: Option<&RepeatedReadings>) -> Vec<String> {
+        let (Some(repeated), Some(quantity)) = (repeated, self.wanted[index].quantity()) else {
             return vec![];
         };
-        let unit = self.wanted[place].usual();
+        let unit = self.wanted[index].usual();
         let scatter = number::rounded(repeated.deviation, 2);
         let unlike = repeated.rows.iter().zip(&self.read.lines).filter(|(row, _)| row.is_unlike);
         let unlike: Vec<String> = unlike.map(|(_, line)| line.to_string()).collect();
@@ -255,7 +255,7 @@ impl<const N: usize> SiRows<'_, N> {
             () => format!("; those of line {} scatter more, and count by their own scatter", unlike.join(", ")),
         };
         let with_reaction =
-            self.wanted[place].counted.is_some_and(|counted| counted.reaction_time().is_some());
+            self.wanted[index].counted.is_some_and(|counted| counted.reaction_time().is_some());
         let reaction = with_reaction.then(|| {
             in_words("the reaction time (<--reaction-time>) is part of the scatter of repeated readings, and is not added")
         });
@@ -272,7 +272,7 @@ impl<const N: usize> SiRows<'_, N> {
             ));
         }
         for &(row, reading) in &repeated.outliers {
-            let value = number::rounded(self.readings(place, row)[reading], 6);
+            let value = number::rounded(self.readings(index, row)[reading], 6);
             said.push(format!(
                 "line {}: {value} {unit} is far from the other readings of the {}; it is not removed",
                 self.read.lines[row], quantity.name

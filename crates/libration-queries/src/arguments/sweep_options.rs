@@ -8,7 +8,7 @@ const OPTIONS: [&str; 6] = ["--over", "--output", "-o", "--keep", "--shard", "--
 /// Moves the options of a sweep before its query, which then begins after `--`; everything after an existing `--` belongs to the query.
 pub fn sweep_options_first(arguments: Vec<OsString>) -> Vec<OsString> {
     let word =
-        |place: usize| arguments.get(place).and_then(|word: &OsString| word.to_str()).unwrap_or_default();
+        |index: usize| arguments.get(index).and_then(|word: &OsString| word.to_str()).unwrap_or_default();
     if word(0) != "sweep" || ["join", "status", "help"].contains(&word(1)) {
         return arguments;
     }

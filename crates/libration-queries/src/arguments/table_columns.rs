@@ -60,8 +60,8 @@ pub(crate) struct ChosenColumns<const N: usize> {
 
 impl<const N: usize> ChosenColumns<N> {
     /// The first column at the position of a wanted quantity.
-    pub(crate) fn column(&self, place: usize) -> Option<&Column> {
-        self.columns[place].first()
+    pub(crate) fn column(&self, index: usize) -> Option<&Column> {
+        self.columns[index].first()
     }
 }
 
@@ -104,9 +104,9 @@ impl ColumnsOption {
         }
         let mut given = match self.columns.len() {
             0 => self.given(&quantities)?,
-            found if (2..=N).contains(&found) => self.said(wanted, &quantities)?,
-            found => {
-                let reason = format!("{found} columns given: name 2 to {N}, as in 1,2,-,3");
+            count if (2..=N).contains(&count) => self.said(wanted, &quantities)?,
+            number => {
+                let reason = format!("{number} columns given: name 2 to {N}, as in 1,2,-,3");
                 return Err(QueryError::usage(option("columns"), reason));
             }
         };
@@ -143,19 +143,19 @@ impl ColumnsOption {
             let reason = format!("{names} are needed: - stands only for an uncertainty");
             return Err(QueryError::usage(option("columns"), reason));
         }
-        let role = |place: usize| match wanted[place].uncertainties_of() {
+        let role = |index: usize| match wanted[index].uncertainties_of() {
             Some(of) => ColumnRole::Uncertainty(index_of(wanted, of), UncertaintyKind::Standard),
-            None => ColumnRole::Reading(index_of(wanted, place)),
+            None => ColumnRole::Reading(index_of(wanted, index)),
         };
         let roles =
-            columns.into_iter().enumerate().filter_map(|(place, column)| Some((column?, role(place))));
+            columns.into_iter().enumerate().filter_map(|(index, column)| Some((column?, role(index))));
         Ok(GivenRoles { roles: roles.collect(), are_all: true })
     }
 }
 
 /// Index of the quantity at a position among the wanted ones.
-fn index_of<const N: usize>(wanted: &[Wanted; N], place: usize) -> usize {
-    wanted[..place].iter().filter(|it| it.uncertainties_of().is_none()).count()
+fn index_of<const N: usize>(wanted: &[Wanted; N], index: usize) -> usize {
+    wanted[..index].iter().filter(|it| it.uncertainties_of().is_none()).count()
 }
 
 /// The columns at the positions of the wanted quantities.
@@ -166,20 +166,20 @@ fn chosen<const N: usize>(
     is_said: bool,
     rows: RowOptions,
 ) -> ChosenColumns<N> {
-    let of = |place: usize| -> &QuantityColumns {
-        &roles.quantities[index_of(wanted, wanted[place].uncertainties_of().unwrap_or(place))]
+    let of = |index: usize| -> &QuantityColumns {
+        &roles.quantities[index_of(wanted, wanted[index].uncertainties_of().unwrap_or(index))]
     };
-    let columns = |place: usize| match wanted[place].uncertainties_of() {
-        None => of(place).readings.clone(),
-        Some(_) => of(place).uncertainties.iter().map(|(column, _)| column.clone()).collect(),
+    let columns = |index: usize| match wanted[index].uncertainties_of() {
+        None => of(index).readings.clone(),
+        Some(_) => of(index).uncertainties.iter().map(|(column, _)| column.clone()).collect(),
     };
-    let kind = |place: usize| of(place).uncertainties.as_ref().map_or(UncertaintyKind::Standard, |it| it.1);
+    let kind = |index: usize| of(index).uncertainties.as_ref().map_or(UncertaintyKind::Standard, |it| it.1);
     let is_inferred = !is_said;
     ChosenColumns {
         columns: std::array::from_fn(columns),
         kinds: std::array::from_fn(kind),
-        are_squares: std::array::from_fn(|place| of(place).are_squares),
-        swings: std::array::from_fn(|place| of(place).swings),
+        are_squares: std::array::from_fn(|index| of(index).are_squares),
+        swings: std::array::from_fn(|index| of(index).swings),
         column_of_swings: roles.swings.clone(),
         column_of_readings: roles.readings.clone(),
         column_of_groups: roles.group.clone(),

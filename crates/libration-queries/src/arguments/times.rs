@@ -43,8 +43,8 @@ impl TimeOptions {
 impl Times {
     /// One period of the motion, or of small swings if it has none.
     fn one_period(pendulum: &Pendulum, motion: &Motion) -> Self {
-        let own = Some(motion.period()).filter(|period| period.is_finite());
-        let period = own.unwrap_or(pendulum.small_angle_period());
+        let swing_period = Some(motion.period()).filter(|period| period.is_finite());
+        let period = swing_period.unwrap_or(pendulum.small_angle_period());
         Self::List((0..=STEPS).map(|step| period * f64::from(step) / f64::from(STEPS)).collect())
     }
 

@@ -10,22 +10,22 @@ use std::fmt;
 pub(crate) struct Tolerances {
     /// Tolerance of the coordinates that are not named.
     pub(crate) usual: f64,
-    pub(crate) own: Vec<(String, f64)>,
+    pub(crate) separate: Vec<(String, f64)>,
 }
 
 /// Reads `1e-12`, `phi=1e-6`, or both.
 pub(crate) fn tolerances(text: &str) -> Result<Tolerances, String> {
     let mut usual = None;
-    let mut own = vec![];
+    let mut separate = vec![];
     for item in text.split(',') {
         match item.split_once('=') {
-            Some((name, number)) => own.push((plain_name(name), tolerance(number)?)),
+            Some((name, number)) => separate.push((plain_name(name), tolerance(number)?)),
             None if usual.is_none() => usual = Some(tolerance(item)?),
             None => return Err("two tolerances without a name: give one, and others as x=1e-6".to_owned()),
         }
     }
-    own.sort_by(|(a, _), (b, _): &(String, f64)| a.cmp(b));
-    Ok(Tolerances { usual: usual.unwrap_or(Tolerances::USUAL), own })
+    separate.sort_by(|(a, _), (b, _): &(String, f64)| a.cmp(b));
+    Ok(Tolerances { usual: usual.unwrap_or(Tolerances::USUAL), separate })
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {
@@ -44,8 +44,9 @@ impl Tolerances {
 
     /// The system with the separate tolerances of coordinates.
     pub(crate) fn put_on(&self, system: System) -> Result<System, QueryError> {
-        let own: Vec<(&str, f64)> = self.own.iter().map(|(name, own)| (name.as_str(), *own)).collect();
-        system.with_tolerances(&own).map_err(|error| QueryError::usage(option("tolerance"), error))
+        let tolerances: Vec<(&str, f64)> =
+            self.separate.iter().map(|(name, tolerance)| (name.as_str(), *tolerance)).collect();
+        system.with_tolerances(&tolerances).map_err(|error| QueryError::usage(option("tolerance"), error))
     }
 }
 
@@ -53,6 +54,6 @@ impl Tolerances {
 impl fmt::Display for Tolerances {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(formatter, "{:e} per step", self.usual)?;
-        self.own.iter().try_for_each(|(name, own)| write!(formatter, ", {own:e} in {name}"))
+        self.separate.iter().try_for_each(|(name, tolerance)| write!(formatter, ", {tolerance:e} in {name}"))
     }
 }

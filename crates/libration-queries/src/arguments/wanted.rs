@@ -169,38 +169,38 @@ impl Wanted {
         is_said: bool,
     ) -> Result<(Unit, Option<String>), String> {
         let written = self.written(table, column, is_said).map_err(refusal)?;
-        let place = table.describe(column).map_err(refusal)?;
+        let name = table.describe(column).map_err(refusal)?;
         let said = self.option.and_then(|(option, said)| Some((option, said?)));
         Ok(match (said, written) {
             (Some((option, unit)), WrittenUnit::Known(other)) if unit != other => (
                 unit,
-                Some(format!("{place} is read in {unit} (<{option}>), not in {other} as its header says")),
+                Some(format!("{name} is read in {unit} (<{option}>), not in {other} as its header says")),
             ),
             (Some((_, unit)), _) => (unit, None),
-            (None, WrittenUnit::Known(unit)) => (unit, Some(format!("{place} is in {unit}"))),
+            (None, WrittenUnit::Known(unit)) => (unit, Some(format!("{name} is in {unit}"))),
             (None, WrittenUnit::Nothing)
                 if self.role == Role::Frequencies && self.uncertainties_of.is_none() =>
             {
                 return Err(format!(
-                    "{place} has no unit, and frequencies are in Hz as often as in rad/s: give it by <--frequency-unit>"
+                    "{name} has no unit, and frequencies are in Hz as often as in rad/s: give it by <--frequency-unit>"
                 ));
             }
             (None, WrittenUnit::Nothing) => (usual, None),
             (None, WrittenUnit::Unknown(text)) => match self.option {
                 Some((option, _)) if self.uncertainties_of.is_none() => {
                     return Err(format!(
-                        "{place}: `{text}` is not a known unit of {}: name it by <{option}> if it is one of those, or else convert the \
+                        "{name}: `{text}` is not a known unit of {}: name it by <{option}> if it is one of those, or else convert the \
                          numbers",
                         self.role
                     ));
                 }
                 None if self.uncertainties_of.is_none() && is_no_unit_of_times(&text) => {
                     return Err(format!(
-                        "{place}: `{text}` is not a unit of {}: give a column of periods themselves, in s, ms, us or min",
+                        "{name}: `{text}` is not a unit of {}: give a column of periods themselves, in s, ms, us or min",
                         self.role
                     ));
                 }
-                _ => (usual, Some(format!("{place} is taken in {usual}: `{text}` is not a known unit"))),
+                _ => (usual, Some(format!("{name} is taken in {usual}: `{text}` is not a known unit"))),
             },
         })
     }

@@ -290,8 +290,8 @@ fn cancellable(
             parallel::update(&how_far)
         };
         let watch = Watch::new(&progress);
-        let known = derive(&watch);
-        known.map(|known| (known, !watch.is_stopped())).map_err(failure)
+        let outcome = derive(&watch);
+        outcome.map(|derivation| (derivation, !watch.is_stopped())).map_err(failure)
     })
 }
 

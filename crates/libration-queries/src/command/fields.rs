@@ -127,8 +127,8 @@ fn write_csv(out: &mut dyn Write, chosen: &[Answers]) -> io::Result<()> {
     for answers in chosen {
         for (form, list) in forms(answers) {
             for description in list {
-                let place = [answers.command, answers.option, form].map(str::to_owned).to_vec();
-                csv::line(out, &[place, fields.csv_cells(description)].concat())?;
+                let context = [answers.command, answers.option, form].map(str::to_owned).to_vec();
+                csv::line(out, &[context, fields.csv_cells(description)].concat())?;
             }
         }
     }
@@ -137,9 +137,9 @@ fn write_csv(out: &mut dyn Write, chosen: &[Answers]) -> io::Result<()> {
 
 fn write_tables(out: &mut dyn Write, chosen: &[Answers]) -> io::Result<()> {
     let fields = of_description();
-    for (place, answers) in chosen.iter().enumerate() {
+    for (index, answers) in chosen.iter().enumerate() {
         for (form, list) in forms(answers) {
-            if place > 0 || form == "csv" {
+            if index > 0 || form == "csv" {
                 writeln!(out)?;
             }
             let option =

@@ -129,7 +129,7 @@ const INPUTS: &str = "Input by input: its value x with its standard uncertainty 
                       Satterthwaite (Guide to the Expression of Uncertainty in Measurement, JCGM 100:2008).";
 
 /// A number with the digits that its uncertainty determines, or seven.
-pub(super) fn known(value: f64, uncertainty: Option<f64>) -> Vec<String> {
+pub(super) fn to_known_digits(value: f64, uncertainty: Option<f64>) -> Vec<String> {
     match uncertainty.filter(|uncertainty| *uncertainty > 0.0) {
         Some(uncertainty) => {
             let text = number::with_uncertainty(value, uncertainty, "");

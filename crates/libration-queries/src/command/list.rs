@@ -194,8 +194,8 @@ fn write_tables(out: &mut dyn Write, chosen: &ChosenEntries) -> io::Result<()> {
         chosen.oscillators.iter().map(|oscillator| (oscillator.key, oscillator.title)).collect();
     let systems = chosen.systems.iter().map(|system| (system.key, system.title)).collect();
     let tables: [(&str, Vec<_>); 2] = [("oscillator", oscillators), ("system", systems)];
-    for (place, (title, entries)) in tables.iter().filter(|table| !table.1.is_empty()).enumerate() {
-        if place > 0 {
+    for (index, (title, entries)) in tables.iter().filter(|table| !table.1.is_empty()).enumerate() {
+        if index > 0 {
             writeln!(out)?;
         }
         let mut table = Table::new(vec![Column::words(*title), Column::words("title")]);

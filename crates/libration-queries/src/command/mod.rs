@@ -210,6 +210,6 @@ pub(crate) fn all_fields() -> Vec<Answers> {
 
 /// The fields of JSON of a query, for all of its options.
 pub(crate) fn fields_of(words: &[String]) -> Vec<Description> {
-    let is_asked = |it: &Answers| it.command.split(' ').zip(words).all(|(own, word)| own == word);
+    let is_asked = |it: &Answers| it.command.split(' ').zip(words).all(|(part, word)| part == word);
     all_fields().into_iter().filter(is_asked).flat_map(|field| field.json).collect()
 }

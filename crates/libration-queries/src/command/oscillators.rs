@@ -115,8 +115,8 @@ pub(super) fn write_list(out: &mut dyn Write, chosen: &[&NamedOscillator]) -> io
 }
 
 pub(super) fn write_sheets(out: &mut dyn Write, chosen: &[&NamedOscillator]) -> io::Result<()> {
-    for (place, named) in chosen.iter().enumerate() {
-        if place > 0 {
+    for (index, named) in chosen.iter().enumerate() {
+        if index > 0 {
             writeln!(out)?;
         }
         let also =

@@ -73,13 +73,13 @@ fn is_named(label: &str, asked: &str) -> bool {
 }
 
 fn verdict(text: &str) -> Result<StatementVerdict, String> {
-    let found = StatementVerdict::ALL.into_iter().find(|verdict| verdict.name() == text.replace('-', " "));
-    found.ok_or_else(|| format!("unknown verdict `{text}`: give verified, typo, wrong or not-decided"))
+    let verdict = StatementVerdict::ALL.into_iter().find(|verdict| verdict.name() == text.replace('-', " "));
+    verdict.ok_or_else(|| format!("unknown verdict `{text}`: give verified, typo, wrong or not-decided"))
 }
 
 fn document(text: &str) -> Result<Document, String> {
-    let found = Document::ALL.into_iter().find(|document| document.key() == text.replace('_', "-"));
-    found.ok_or_else(|| format!("unknown document `{text}`: give black-vel or cote"))
+    let document = Document::ALL.into_iter().find(|document| document.key() == text.replace('_', "-"));
+    document.ok_or_else(|| format!("unknown document `{text}`: give black-vel or cote"))
 }
 
 /// Meaning of the field with the amplitudes at which a claim holds.

@@ -90,8 +90,8 @@ impl ParameterType {
             return Self::Choice;
         }
         let id = arg.get_value_parser().type_id();
-        let found = entries().into_iter().find(|(_, types)| types.iter().any(|kind| id == *kind));
-        found.map_or(Self::Text, |(of, _)| of)
+        let entry = entries().into_iter().find(|(_, types)| types.iter().any(|kind| id == *kind));
+        entry.map_or(Self::Text, |(of, _)| of)
     }
 }
 

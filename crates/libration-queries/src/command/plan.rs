@@ -95,12 +95,12 @@ impl PlanQuestion {
             angle_scale: self.angle_scale,
             clock: self.clock,
         };
-        let found = plan(&recording, self.g_to, &self.amplitudes.0);
-        let found = found.map_err(|error| QueryError::no_result("plan", error))?;
+        let outcome = plan(&recording, self.g_to, &self.amplitudes.0);
+        let plan = outcome.map_err(|error| QueryError::no_result("plan", error))?;
         match self.form.form() {
-            Form::Json => json::document(out, of_plan().record(&found))?,
-            Form::Csv => write_csv(out, &found)?,
-            Form::Table => write_table(out, &found)?,
+            Form::Json => json::document(out, of_plan().record(&plan))?,
+            Form::Csv => write_csv(out, &plan)?,
+            Form::Table => write_table(out, &plan)?,
         }
         Ok(())
     }
@@ -108,7 +108,7 @@ impl PlanQuestion {
 
 fn choices(plan: &Plan) -> Vec<Choice<'_>> {
     let choices = plan.choices.iter().enumerate();
-    choices.map(|(place, swings)| Choice { swings, is_best: plan.best == Some(place) }).collect()
+    choices.map(|(index, swings)| Choice { swings, is_best: plan.best == Some(index) }).collect()
 }
 
 fn write_csv(out: &mut dyn Write, plan: &Plan) -> io::Result<()> {

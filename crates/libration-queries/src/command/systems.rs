@@ -65,13 +65,17 @@ fn of_system() -> Fields<NamedSystem> {
         Of::nested("parameters[].", &of_parameter(), |system| of_parameter().records(system.parameters)),
         Of::value("parameters", "", "parameters with their default values", |system| defaults(system).into())
             .only_csv(),
-        Of::value("energy", "", "formula of the energy, or null", |system| known(system.energy).into()),
+        Of::value("energy", "", "formula of the energy, or null", |system| {
+            unless_empty(system.energy).into()
+        }),
         Of::value("energy_unit", "", "divisor of the energy, or its unit, or null", |system| {
-            known(system.energy_unit).into()
+            unless_empty(system.energy_unit).into()
         })
         .only_json(),
-        Of::value("power", "", "formula of the power gained, or null", |system| known(system.power).into())
-            .only_json(),
+        Of::value("power", "", "formula of the power gained, or null", |system| {
+            unless_empty(system.power).into()
+        })
+        .only_json(),
         Of::value(
             "drive_frequency",
             "",
@@ -110,7 +114,7 @@ fn of_parameter() -> Fields<NamedParameter> {
 }
 
 /// The text, unless it is empty.
-fn known(text: &'static str) -> Option<&'static str> {
+fn unless_empty(text: &'static str) -> Option<&'static str> {
     Some(text).filter(|text| !text.is_empty())
 }
 
@@ -137,8 +141,8 @@ pub(super) fn write_list(out: &mut dyn Write, chosen: &[&NamedSystem]) -> io::Re
 }
 
 pub(super) fn write_sheets(out: &mut dyn Write, chosen: &[&NamedSystem]) -> io::Result<()> {
-    for (place, named) in chosen.iter().enumerate() {
-        if place > 0 {
+    for (index, named) in chosen.iter().enumerate() {
+        if index > 0 {
             writeln!(out)?;
         }
         let also =
@@ -158,7 +162,7 @@ fn lines(named: &NamedSystem) -> Vec<(&'static str, String)> {
     let mut lines: Vec<(&'static str, String)> =
         named.equations.split(';').map(|one| ("equation", one.trim().to_owned())).collect();
     for coordinate in named.coordinates {
-        let unit = known(coordinate.unit).map_or_else(String::new, |unit| format!(" in {unit}"));
+        let unit = unless_empty(coordinate.unit).map_or_else(String::new, |unit| format!(" in {unit}"));
         let text = format!("{}{unit}, at rest {}", coordinate.name, coordinate.at_rest);
         lines.push(("coordinate", text));
     }
@@ -169,7 +173,7 @@ fn lines(named: &NamedSystem) -> Vec<(&'static str, String)> {
             format!("{} = {}{unit}: {}", parameter.name, parameter.default, parameter.meaning),
         ));
     }
-    if let Some(energy) = known(named.energy) {
+    if let Some(energy) = unless_empty(named.energy) {
         lines.push(("energy", format!("{energy} ({})", named.energy_unit)));
     }
     if !matches!(named.power, "" | "0") {

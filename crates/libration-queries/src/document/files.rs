@@ -48,7 +48,7 @@ pub(crate) fn write(path: &Path, document: &Document) -> Result<String, QueryErr
         _ => html::page(document),
     };
     files.push((path.to_owned(), page.into_bytes()));
-    place(&files)?;
+    write_all(&files)?;
     Ok(format!("{} written: report with pictures", path.display()))
 }
 
@@ -60,7 +60,7 @@ fn picture(figure: &DocumentFigure, ending: &str) -> Result<Vec<u8>, QueryError>
 }
 
 /// Writes all files under temporary names before the first one is renamed.
-fn place(files: &[(PathBuf, Vec<u8>)]) -> Result<(), QueryError> {
+fn write_all(files: &[(PathBuf, Vec<u8>)]) -> Result<(), QueryError> {
     let mut written = vec![];
     for (path, bytes) in files {
         let mut file = NewFile::create(path)?;
@@ -72,5 +72,5 @@ fn place(files: &[(PathBuf, Vec<u8>)]) -> Result<(), QueryError> {
 }
 
 fn is(path: &Path, ending: &str) -> bool {
-    path.extension().is_some_and(|found| found.eq_ignore_ascii_case(ending))
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(ending))
 }

@@ -133,11 +133,11 @@ pub fn table(table: &DocumentTable) -> String {
 
 /// The first cell names the row.
 fn row(columns: &[Column], cells: &[String]) -> String {
-    let cell = |(place, (column, cell)): (usize, (&Column, &String))| {
+    let cell = |(index, (column, cell)): (usize, (&Column, &String))| {
         let class = class(column, cell.chars().count() <= SHORT);
-        let (tag, scope) = if place == 0 { ("th", " scope=\"row\"") } else { ("td", "") };
+        let (tag, scope) = if index == 0 { ("th", " scope=\"row\"") } else { ("td", "") };
         let head =
-            if place == 0 { String::new() } else { format!(" data-head=\"{}\"", escaped(&column.title)) };
+            if index == 0 { String::new() } else { format!(" data-head=\"{}\"", escaped(&column.title)) };
         format!("<{tag}{scope}{class}{head}>{}</{tag}>", escaped(cell))
     };
     let cells: String = columns.iter().zip(cells).enumerate().map(cell).collect();

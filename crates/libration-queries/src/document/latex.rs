@@ -69,9 +69,9 @@ fn long_table(table: &DocumentTable) -> String {
 
 /// The column specification in LaTeX: columns with long text share the part of the line that the others leave.
 fn sides(table: &DocumentTable) -> String {
-    let letters = |place: usize| {
-        let cells = table.rows.iter().filter_map(|row| row.get(place)).map(|cell| cell.chars().count());
-        let title = table.columns[place].title.chars().count();
+    let letters = |column: usize| {
+        let cells = table.rows.iter().filter_map(|row| row.get(column)).map(|cell| cell.chars().count());
+        let title = table.columns[column].title.chars().count();
         cells.chain([title]).max().unwrap_or(0) + 2
     };
     let widths: Vec<usize> = (0..table.columns.len()).map(letters).collect();
@@ -80,8 +80,8 @@ fn sides(table: &DocumentTable) -> String {
     let narrow: usize = widths.iter().filter(|width| !is_wide(width)).sum();
     let wide: usize = widths.iter().filter(|width| is_wide(width)).map(|width| (*width).min(WIDEST)).sum();
     let room = LETTERS.saturating_sub(narrow).max(LETTERS / 3);
-    let side = |(place, width): (usize, &usize)| {
-        let is_number = table.columns[place].is_of_numbers();
+    let side = |(column, width): (usize, &usize)| {
+        let is_number = table.columns[column].is_of_numbers();
         if !(is_too_wide && is_wide(width)) {
             return if is_number { "r".to_owned() } else { "l".to_owned() };
         }
@@ -117,7 +117,7 @@ fn in_latex(text: &str) -> String {
 }
 
 fn letter(letter: char) -> String {
-    let of_mathematics = MATHEMATICS.iter().find(|(found, _)| *found == letter);
+    let of_mathematics = MATHEMATICS.iter().find(|(special, _)| *special == letter);
     match letter {
         '\\' => r"\textbackslash{}".to_owned(),
         '~' => r"\textasciitilde{}".to_owned(),

@@ -34,8 +34,8 @@ pub(crate) fn columns() -> Vec<Column> {
 /// The cells of the inputs of g, and of their total.
 pub(crate) fn rows(combined: &CombinedUncertainty) -> Vec<Vec<String>> {
     let fields = of_input();
-    let known = inputs(combined).into_iter().filter(|input| input.each.sensitivity != 0.0);
-    let mut rows: Vec<Vec<String>> = known.map(|input| fields.cells(&input)).collect();
+    let effective = inputs(combined).into_iter().filter(|input| input.each.sensitivity != 0.0);
+    let mut rows: Vec<Vec<String>> = effective.map(|input| fields.cells(&input)).collect();
     if !combined.correlations.is_empty() {
         rows.push(last_row("correlations", "", &percent(combined.share_of_correlations()), ""));
     }

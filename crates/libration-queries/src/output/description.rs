@@ -31,9 +31,9 @@ pub(crate) struct Answers {
 /// Name, unit and meaning, as listed in a table.
 pub(crate) type DescriptionRow = (&'static str, &'static str, &'static str);
 
-/// The descriptions of a table, after `place`, such as `cycles[].` or an empty text.
-pub(crate) fn descriptions(place: &str, rows: &[DescriptionRow]) -> Vec<Description> {
+/// The descriptions of a table, after `prefix`, such as `cycles[].` or an empty text.
+pub(crate) fn descriptions(prefix: &str, rows: &[DescriptionRow]) -> Vec<Description> {
     let row =
-        |&(name, unit, meaning): &DescriptionRow| Description::new(&format!("{place}{name}"), unit, meaning);
+        |&(name, unit, meaning): &DescriptionRow| Description::new(&format!("{prefix}{name}"), unit, meaning);
     rows.iter().map(row).collect()
 }

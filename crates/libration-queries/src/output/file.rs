@@ -37,7 +37,7 @@ enum Target {
 struct Unfinished {
     file: fs::File,
     beside: PathBuf,
-    place: PathBuf,
+    target: PathBuf,
 }
 
 impl NewFile {
@@ -51,8 +51,8 @@ impl NewFile {
                 let stream = stream.open().map_err(fails)?;
                 Target::Stream(Box::new(io::BufWriter::with_capacity(BUFFER, stream)))
             }
-            Destination::File(place) => {
-                let unfinished = Unfinished::create(place)?;
+            Destination::File(path) => {
+                let unfinished = Unfinished::create(path)?;
                 let file = unfinished.file.try_clone().map_err(fails)?;
                 Target::Disk(io::BufWriter::with_capacity(BUFFER, file), unfinished)
             }
@@ -64,7 +64,7 @@ impl NewFile {
     /// The path of the complete file, after all links, and the temporary one; `None` for streams.
     pub(crate) fn places(&self) -> Option<[PathBuf; 2]> {
         match &self.target {
-            Target::Disk(_, it) => Some([it.place.clone(), it.beside.clone()]),
+            Target::Disk(_, it) => Some([it.target.clone(), it.beside.clone()]),
             Target::Stream(_) | Target::Kept(_) => None,
         }
     }
@@ -103,26 +103,26 @@ impl Target {
 
 impl Unfinished {
     /// A new name in the same directory, where a rename cannot cross file systems.
-    fn create(place: PathBuf) -> Result<Self, QueryError> {
-        let name = place.file_name().ok_or_else(|| {
+    fn create(path: PathBuf) -> Result<Self, QueryError> {
+        let name = path.file_name().ok_or_else(|| {
             QueryError::misuse(format!(
                 "{} names no file: give a path that ends in a file name",
-                place.display()
+                path.display()
             ))
         })?;
-        leftover::remove(&place);
-        let beside = place.with_file_name(leftover::name(name, std::process::id()));
+        leftover::remove(&path);
+        let beside = path.with_file_name(leftover::name(name, std::process::id()));
         let file = fs::OpenOptions::new().write(true).create_new(true).open(&beside);
-        let file = file.map_err(|error| cannot_write(&place, error))?;
+        let file = file.map_err(|error| cannot_write(&path, error))?;
         // Where files cannot be locked nobody takes one for left.
         let _ = file.try_lock();
-        Ok(Self { file, beside, place })
+        Ok(Self { file, beside, target: path })
     }
 
     fn put_in_place(self) -> io::Result<()> {
         self.file.sync_all()?;
-        fs::rename(&self.beside, &self.place)?;
-        leftover::remove(&self.place);
+        fs::rename(&self.beside, &self.target)?;
+        leftover::remove(&self.target);
         Ok(())
     }
 }

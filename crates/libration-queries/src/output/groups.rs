@@ -69,8 +69,8 @@ impl Groups {
         let (mut results, mut rows) = (vec![], vec![]);
         for (name, members) in members {
             let name = if name.is_empty() { "without a name" } else { name }.to_owned();
-            let found = fit(&members);
-            if let Ok((value, degrees_of_freedom)) = &found {
+            let outcome = fit(&members);
+            if let Ok((value, degrees_of_freedom)) = &outcome {
                 let (value, degrees_of_freedom) = (*value, *degrees_of_freedom);
                 results.push(GroupResult {
                     name: name.clone(),
@@ -79,7 +79,7 @@ impl Groups {
                     degrees_of_freedom,
                 });
             }
-            let result = found.map(|(value, _)| value);
+            let result = outcome.map(|(value, _)| value);
             rows.push(GroupRow { name, rows: members.len(), result, stands_out: false });
         }
         let mean = GroupMean::new(&results, shared);

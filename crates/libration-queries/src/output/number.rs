@@ -35,8 +35,8 @@ pub fn at_most(value: f64) -> String {
     let nearest = format!("{value:.0e}");
     match (nearest.parse::<f64>(), nearest.split_once('e')) {
         (Ok(shown), Some((_, exponent))) if shown < value => {
-            let place = format!("1e{exponent}").parse().unwrap_or(0.0);
-            rounded(shown + place, 1)
+            let last_digit = format!("1e{exponent}").parse().unwrap_or(0.0);
+            rounded(shown + last_digit, 1)
         }
         _ => rounded(value, 1),
     }

@@ -49,8 +49,8 @@ pub(crate) fn counted<T>(
     what: &'static str,
 ) -> impl Iterator<Item = T> {
     let mut progress = ProgressLine::new();
-    let counted = items.enumerate().map(move |(place, item)| {
-        progress.show(|| format!("{place} of {all} {what}"));
+    let counted = items.enumerate().map(move |(index, item)| {
+        progress.show(|| format!("{index} of {all} {what}"));
         item
     });
     counted.take_while(|_| !interrupt::is_cancelled())

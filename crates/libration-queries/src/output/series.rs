@@ -104,11 +104,11 @@ impl Coefficient for LaurentPolynomial {
     }
 
     fn is_opposite_of(&self, other: &Self) -> bool {
-        let opposite = |(own, powers): &(&Rational, Vec<_>), (other, theirs): &(&Rational, Vec<_>)| {
-            own.is_opposite_of(other) && powers == theirs
+        let opposite = |(factor, powers): &(&Rational, Vec<_>), (other, theirs): &(&Rational, Vec<_>)| {
+            factor.is_opposite_of(other) && powers == theirs
         };
-        let (own, other): (Vec<_>, Vec<_>) = (self.terms().collect(), other.terms().collect());
-        own.len() == other.len() && own.iter().zip(&other).all(|(own, other)| opposite(own, other))
+        let (terms, other): (Vec<_>, Vec<_>) = (self.terms().collect(), other.terms().collect());
+        terms.len() == other.len() && terms.iter().zip(&other).all(|(term, other)| opposite(term, other))
     }
 
     fn in_terms(&self) -> Vec<(f64, Vec<(String, Rational)>)> {

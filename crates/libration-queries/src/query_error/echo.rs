@@ -25,7 +25,7 @@ pub fn shortened(message: &str) -> String {
 fn line(line: &str) -> String {
     let parts = line.split('`').enumerate();
     let shown =
-        parts.map(|(place, part)| if place % 2 == 1 { cut(part, LONGEST_QUOTATION) } else { words(part) });
+        parts.map(|(index, part)| if index % 2 == 1 { cut(part, LONGEST_QUOTATION) } else { words(part) });
     cut(&shown.collect::<Vec<_>>().join("`"), LONGEST_LINE)
 }
 

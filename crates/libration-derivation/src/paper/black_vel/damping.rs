@@ -58,8 +58,8 @@ fn integral_of_square_damping(printed: &Printed) -> Option<bool> {
     let start = ring.multiply(&ring.variable()?, &ring.rational(&Rational::new(3, 4)?)?);
     let slope = |series: &[Rational]| {
         let steps = (1..).map(Rational::from);
-        let known = series.iter().skip(1).zip(steps).map(|(a, n)| a.clone() * n);
-        known.chain([Rational::from(0)]).collect::<Vec<_>>()
+        let factors = series.iter().skip(1).zip(steps).map(|(a, n)| a.clone() * n);
+        factors.chain([Rational::from(0)]).collect::<Vec<_>>()
     };
     let with = |angle: &Vec<Rational>, formula: &Expression, acceleration: Vec<Rational>| {
         value(&ring, formula, &|name| match name {

@@ -95,8 +95,10 @@ fn belendez(printed: &Printed) -> Option<StatementFinding> {
     let formula = printed.formula(0)?;
     let inserted = |under: &Expression| formula.substitute(&Symbol::plain("r"), under);
     let stands = inserted(printed.formula(1)?);
-    if let Some(found) = agreement(&stands, 2).filter(|found| found.verdict == StatementVerdict::Verified) {
-        return Some(found);
+    if let Some(finding) =
+        agreement(&stands, 2).filter(|finding| finding.verdict == StatementVerdict::Verified)
+    {
+        return Some(finding);
     }
     let mut tried = Vec::new();
     let mut meant = None;
@@ -109,8 +111,8 @@ fn belendez(printed: &Printed) -> Option<StatementFinding> {
             Some(slope) => format!("r = {reading}: T/T0 = 1 + {slope}*theta0^2 + ..."),
             None => format!("r = {reading}: T(0)/T0 = {at_rest:.5}"),
         });
-        let agrees = agreement(&whole, 2).filter(|found| found.verdict == StatementVerdict::Verified);
-        meant = meant.or_else(|| agrees.map(|found| (reading, found.evidence)));
+        let agrees = agreement(&whole, 2).filter(|finding| finding.verdict == StatementVerdict::Verified);
+        meant = meant.or_else(|| agrees.map(|finding| (reading, finding.evidence)));
     }
     let at_rest = decimal(&stands, &[("theta0", 0.0), ("T0", 1.0)])?;
     let evidence =

@@ -51,8 +51,8 @@ pub(super) const STATEMENTS: &[PrintedStatement] = &[
 /// The gauge stated by the assignments of A1, A2, …, with zero for the other constants, up to an order.
 pub(super) fn gauge_of(assignments: &[(String, Rational)], order: u32) -> Vec<Rational> {
     let value = |n: u32| {
-        let known = assignments.iter().find(|(name, _)| *name == format!("A{n}"));
-        known.map_or(Rational::from(0), |(_, value)| value.clone())
+        let assignment = assignments.iter().find(|(name, _)| *name == format!("A{n}"));
+        assignment.map_or(Rational::from(0), |(_, value)| value.clone())
     };
     (1..=order).map(value).collect()
 }

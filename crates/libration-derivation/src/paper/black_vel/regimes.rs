@@ -136,8 +136,8 @@ fn interplay(printed: &Printed) -> Option<StatementFinding> {
     let slope = period_in_amplitude(1).pop()?;
     let mut geometric = vec![Rational::from(0); 8];
     let mut power = Rational::from(1);
-    for place in geometric.iter_mut().step_by(2) {
-        *place = power.clone();
+    for coefficient in geometric.iter_mut().step_by(2) {
+        *coefficient = power.clone();
         power = power * slope.clone();
     }
     let is_pade = first_difference(&stands, &geometric).is_none();

@@ -107,7 +107,7 @@ fn energy_of_the_motion(printed: &Printed) -> Option<StatementFinding> {
     let mut largest = 0.0_f64;
     for instant in instants(&theta0, 48)? {
         let all = values(&instant, theta0.radians(), MASS);
-        let of = |name: &str| all.iter().find(|(known, _)| *known == name).map(|(_, value)| *value);
+        let of = |name: &str| all.iter().find(|(symbol, _)| *symbol == name).map(|(_, value)| *value);
         let stands = decimal(printed.formula(0)?, &all)?;
         largest =
             largest.max((stands - of("T")? - of("U")?).abs() / scale).max((stands - release).abs() / scale);

@@ -108,13 +108,13 @@ fn polynomial_in_half_pi(formula: &Expression) -> Option<Polynomial> {
 }
 
 fn period(printed: &Printed) -> Option<StatementFinding> {
-    let found = agreement(printed.formula(0)?, 6)?;
+    let finding = agreement(printed.formula(0)?, 6)?;
     let next = period_in_sine_squared(5);
     let evidence = format!(
         "{}; the next terms are {}*sin(theta0/2)^8 and {}*sin(theta0/2)^10",
-        found.evidence, next[4], next[5]
+        finding.evidence, next[4], next[5]
     );
-    Some(StatementFinding { evidence, ..found })
+    Some(StatementFinding { evidence, ..finding })
 }
 
 fn any_starting_angle(printed: &Printed) -> Option<StatementFinding> {

@@ -103,12 +103,12 @@ fn first_integral(printed: &Printed) -> Option<StatementFinding> {
 fn split_sine(printed: &Printed) -> Option<StatementFinding> {
     let mut last = None;
     for n in 1..5 {
-        let found =
+        let finding =
             identity(&at_index(&printed.residual(0)?, n), &[("psi", 0.0, FRAC_PI_2)], "for n = 1 to 4")?;
-        if found.verdict != StatementVerdict::Verified {
-            return Some(found);
+        if finding.verdict != StatementVerdict::Verified {
+            return Some(finding);
         }
-        last = Some(found);
+        last = Some(finding);
     }
     last
 }

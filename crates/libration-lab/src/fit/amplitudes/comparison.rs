@@ -26,7 +26,7 @@ pub(super) struct LawComparison<'a> {
 
 /// A law with its standing.
 pub(super) struct Compared {
-    pub(super) found: DecayLawFit,
+    pub(super) fit: DecayLawFit,
     /// `None` where the rows are too few for the criterion.
     pub(super) aicc: Option<f64>,
     /// Excess of the criterion, or of the misfit where there is none, over the least one.
@@ -48,21 +48,21 @@ impl<'a> LawComparison<'a> {
         let zero = first_zero(table);
         let readings = table.rows.iter().map(|row| (row.value - zero).abs());
         let law = DecayLaw::new(table, 1.2 * table.reading.amplitude(readings.fold(0.0, f64::max)));
-        let mut found: Vec<DecayLawFit> =
+        let mut fits: Vec<DecayLawFit> =
             DampingModel::all().into_iter().filter_map(|terms| fit(&law, terms)).collect();
         let is_physical =
             |fit: &DecayLawFit| fit.parameters[1..=fit.terms.count()].iter().all(|&rate| rate >= 0.0);
         if let Some(terms) = given
-            && !found.iter().any(|it| it.terms == terms && is_physical(it))
+            && !fits.iter().any(|it| it.terms == terms && is_physical(it))
         {
             return Err(AmplitudesError::Law(terms));
         }
-        found.retain(is_physical);
-        let laws = compared(table, &found);
+        fits.retain(is_physical);
+        let laws = compared(table, &fits);
         let separated = separated(table);
         let preferred =
             laws.iter().position(|law| law.excess <= separated).ok_or(AmplitudesError::NotFalling)?;
-        let chosen = given.and_then(|terms| laws.iter().position(|law| law.found.terms == terms));
+        let chosen = given.and_then(|terms| laws.iter().position(|law| law.fit.terms == terms));
         if let (Some(terms), None) = (given, chosen) {
             return Err(AmplitudesError::Law(terms));
         }
@@ -73,7 +73,7 @@ impl<'a> LawComparison<'a> {
     /// Other laws that the rows do not separate from the preferred one; none where a law is given.
     pub(super) fn not_separated(&self) -> impl Iterator<Item = &Compared> {
         let others =
-            self.laws.iter().enumerate().filter(|(place, _)| !self.is_given && *place != self.chosen);
+            self.laws.iter().enumerate().filter(|(index, _)| !self.is_given && *index != self.chosen);
         others.map(|(_, law)| law).filter(|law| law.excess <= self.separated)
     }
 
@@ -103,11 +103,11 @@ fn separated(table: &AmplitudeTable) -> f64 {
     }
 }
 
-fn compared(table: &AmplitudeTable, found: &[DecayLawFit]) -> Vec<Compared> {
+fn compared(table: &AmplitudeTable, fits: &[DecayLawFit]) -> Vec<Compared> {
     let rows = count(table.len());
     let dof = |fit: &DecayLawFit| table.len() - parameters(table, fit.terms);
     // Stated uncertainties that are too small by one factor would separate laws that they do not.
-    let birge = found.iter().filter(|it| dof(it) > 0).map(|it| it.chi2 / count(dof(it)));
+    let birge = fits.iter().filter(|it| dof(it) > 0).map(|it| it.chi2 / count(dof(it)));
     let scale = if table.weighted { birge.fold(f64::INFINITY, f64::min).clamp(1.0, f64::MAX) } else { 1.0 };
     let misfit = |fit: &DecayLawFit| {
         let spread: f64 = fit.deviations.iter().map(|deviation| 2.0 * libm::log(*deviation)).sum();
@@ -120,7 +120,7 @@ fn compared(table: &AmplitudeTable, found: &[DecayLawFit]) -> Vec<Compared> {
         let parameters = parameters(table, fit.terms) + usize::from(!table.weighted);
         Some(misfit(fit) + akaike::cost(rows, count(parameters))?)
     };
-    let damped = || found.iter().filter(|it| it.terms != DampingModel::UNDAMPED);
+    let damped = || fits.iter().filter(|it| it.terms != DampingModel::UNDAMPED);
     let has_criterion = damped().any(|it| aicc(it).is_some());
     // Where the rows are too few for the criterion laws of one kind of damping compare by their misfit.
     let score = |fit: &DecayLawFit| match has_criterion {
@@ -132,13 +132,11 @@ fn compared(table: &AmplitudeTable, found: &[DecayLawFit]) -> Vec<Compared> {
         .map(|it| Compared {
             aicc: aicc(it),
             excess: score(it).map_or(f64::INFINITY, |score| score - least),
-            chance: chance(it, found, dof(it)),
-            found: it.clone(),
+            chance: chance(it, fits, dof(it)),
+            fit: it.clone(),
         })
         .collect();
-    laws.sort_by(|a, b| {
-        a.found.terms.count().cmp(&b.found.terms.count()).then(a.excess.total_cmp(&b.excess))
-    });
+    laws.sort_by(|a, b| a.fit.terms.count().cmp(&b.fit.terms.count()).then(a.excess.total_cmp(&b.excess)));
     laws
 }
 

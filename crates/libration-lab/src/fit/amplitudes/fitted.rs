@@ -101,35 +101,35 @@ impl LawOfAmplitudes {
     }
 
     fn new(law: &DecayLaw<'_>, compared: &Compared, phase: Option<Uncertain>) -> Self {
-        let (table, found) = (law.table, &compared.found);
-        let terms = found.terms.count();
-        let scale = VarianceFactors::new(table, found);
-        let estimate = |place: usize| Uncertain {
-            value: found.parameters[place],
-            uncertainty: (scale.of_covariance * found.covariance[(place, place)]).sqrt(),
+        let (table, fit) = (law.table, &compared.fit);
+        let terms = fit.terms.count();
+        let scale = VarianceFactors::new(table, fit);
+        let estimate = |index: usize| Uncertain {
+            value: fit.parameters[index],
+            uncertainty: (scale.of_covariance * fit.covariance[(index, index)]).sqrt(),
         };
         Self {
-            damping: found.terms,
+            damping: fit.terms,
             first_amplitude: estimate(0),
             rates: (1..=terms).map(estimate).collect(),
             quality: phase.and_then(|phase| {
-                quality::quality(law, found, phase, found.curve.amplitudes[0], scale.of_covariance)
+                quality::quality(law, fit, phase, fit.curve.amplitudes[0], scale.of_covariance)
             }),
             zero: (table.sides == Sides::Both).then(|| estimate(terms + 1)),
-            chi2: table.weighted.then_some(found.chi2),
+            chi2: table.weighted.then_some(fit.chi2),
             dof: scale.dof,
             aicc: compared.aicc,
             aicc_difference: compared.excess,
             chance: compared.chance,
-            amplitudes: found.curve.amplitudes.clone(),
-            residuals: residuals(table, found),
-            standard_deviations: found
+            amplitudes: fit.curve.amplitudes.clone(),
+            residuals: residuals(table, fit),
+            standard_deviations: fit
                 .deviations
                 .iter()
                 .map(|deviation| deviation * scale.of_row.sqrt())
                 .collect(),
             rows_per_error: scale.rows_per_error,
-            curve: law.amplitudes_between(found.terms, &found.parameters, CURVE),
+            curve: law.amplitudes_between(fit.terms, &fit.parameters, CURVE),
         }
     }
 }
@@ -141,7 +141,7 @@ impl AmplitudesFit {
         comparison: &LawComparison<'_>,
     ) -> Self {
         let law = &comparison.law;
-        let chosen = &comparison.laws[comparison.chosen].found;
+        let chosen = &comparison.laws[comparison.chosen].fit;
         let scale = VarianceFactors::new(table, chosen).of_covariance;
         let period = period::period(law, chosen, scale, options.period);
         let natural_frequency = period.map(|period| period::natural_frequency(table, chosen, period));
@@ -205,12 +205,11 @@ impl LawComparison<'_> {
     /// The difference of Q at an amplitude to other laws: to the preferred one where the given one is refuted; without a given one to those that the rows
     /// do not separate, with their Akaike weights.
     fn spread_of_quality(&self, phase: Option<Uncertain>, amplitude: f64) -> f64 {
-        let of = |law: &Compared| {
-            Some(quality::at_amplitude(&self.law, &law.found, phase?, amplitude, 1.0)?.value)
-        };
+        let of =
+            |law: &Compared| Some(quality::at_amplitude(&self.law, &law.fit, phase?, amplitude, 1.0)?.value);
         let chosen = &self.laws[self.chosen];
-        let Some(own) = of(chosen) else { return 0.0 };
-        let difference = |law: &Compared| of(law).map_or(0.0, |other| other - own);
+        let Some(quality) = of(chosen) else { return 0.0 };
+        let difference = |law: &Compared| of(law).map_or(0.0, |other| other - quality);
         let weight = |law: &Compared| self.weight(law);
         let weights: f64 = self.not_separated().map(weight).sum::<f64>() + weight(chosen);
         let square = |law: &Compared| difference(law) * difference(law);
@@ -221,12 +220,12 @@ impl LawComparison<'_> {
 }
 
 /// A/(−dA/dt) at the first row.
-fn decay(law: &DecayLaw<'_>, found: &DecayLawFit, scale: f64) -> Uncertain {
-    let amplitude = found.parameters[0];
-    let factors: Vec<f64> = found.terms.iter().map(|term| law.rate(term, amplitude) / amplitude).collect();
-    let rate = law.fall(found.terms, &found.parameters, amplitude) / amplitude;
+fn decay(law: &DecayLaw<'_>, fit: &DecayLawFit, scale: f64) -> Uncertain {
+    let amplitude = fit.parameters[0];
+    let factors: Vec<f64> = fit.terms.iter().map(|term| law.rate(term, amplitude) / amplitude).collect();
+    let rate = law.fall(fit.terms, &fit.parameters, amplitude) / amplitude;
     let pairs = factors.iter().enumerate().flat_map(|(i, one)| {
-        factors.iter().enumerate().map(move |(j, other)| one * other * found.covariance[(i + 1, j + 1)])
+        factors.iter().enumerate().map(move |(j, other)| one * other * fit.covariance[(i + 1, j + 1)])
     });
     let spread = (scale * pairs.sum::<f64>()).sqrt();
     Uncertain { value: 1.0 / rate, uncertainty: spread / (rate * rate) }
@@ -242,27 +241,27 @@ struct VarianceFactors {
 }
 
 impl VarianceFactors {
-    fn new(table: &AmplitudeTable, found: &DecayLawFit) -> Self {
-        let dof = table.len() - parameters(table, found.terms);
-        let per_dof = if dof > 0 { found.chi2 / count(dof) } else { f64::NAN };
+    fn new(table: &AmplitudeTable, fit: &DecayLawFit) -> Self {
+        let dof = table.len() - parameters(table, fit.terms);
+        let per_dof = if dof > 0 { fit.chi2 / count(dof) } else { f64::NAN };
         let (of_row, enlargement) = match table.weighted {
-            true => (1.0, scatter::enlargement(Some(found.chi2), dof)),
+            true => (1.0, scatter::enlargement(Some(fit.chi2), dof)),
             false => (per_dof, 1.0),
         };
-        let rows_per_error = rows_per_error(table, found);
+        let rows_per_error = rows_per_error(table, fit);
         let of_covariance = of_row * enlargement * enlargement * rows_per_error;
         Self { dof, of_row, of_covariance, rows_per_error }
     }
 }
 
-fn residuals(table: &AmplitudeTable, found: &DecayLawFit) -> Vec<f64> {
-    table.rows.iter().zip(&found.curve.values).map(|(row, fitted)| row.value - fitted).collect()
+fn residuals(table: &AmplitudeTable, fit: &DecayLawFit) -> Vec<f64> {
+    table.rows.iter().zip(&fit.curve.values).map(|(row, fitted)| row.value - fitted).collect()
 }
 
 /// (1 + ρ)/(1 − ρ) with the correlation ρ of the errors of neighbouring amplitudes, where it is significant; otherwise 1.
-fn rows_per_error(table: &AmplitudeTable, found: &DecayLawFit) -> f64 {
-    let residuals = residuals(table, found);
-    let rows = table.rows.iter().zip(&found.deviations).zip(residuals);
+fn rows_per_error(table: &AmplitudeTable, fit: &DecayLawFit) -> f64 {
+    let residuals = residuals(table, fit);
+    let rows = table.rows.iter().zip(&fit.deviations).zip(residuals);
     let errors: Vec<f64> = rows.map(|((row, deviation), residual)| row.side * residual / deviation).collect();
     let products: f64 = errors.windows(2).map(|pair| pair[0] * pair[1]).sum();
     let correlation = products / errors.iter().map(|error| error * error).sum::<f64>();

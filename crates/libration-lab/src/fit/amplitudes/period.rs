@@ -20,7 +20,7 @@ const POINTS: usize = 1000;
 /// covariance of the parameters.
 pub(super) fn period(
     law: &DecayLaw<'_>,
-    found: &DecayLawFit,
+    fit: &DecayLawFit,
     scale: f64,
     given: Option<Quantity>,
 ) -> Option<Uncertain> {
@@ -29,8 +29,8 @@ pub(super) fn period(
             Some(Uncertain { value, uncertainty: uncertainty.unwrap_or(0.0) })
         }
         None => {
-            let period = observed(law, found.terms, &found.parameters)?;
-            Some(period.with_error(error_of_amplitudes(law, found, scale, period.value)))
+            let period = observed(law, fit.terms, &fit.parameters)?;
+            Some(period.with_error(error_of_amplitudes(law, fit, scale, period.value)))
         }
     }
 }
@@ -41,22 +41,22 @@ fn observed(law: &DecayLaw<'_>, terms: DampingModel, parameters: &[f64]) -> Opti
 }
 
 /// Standard uncertainty of the period by those of the parameters: a larger amplitude makes the ratio T/T0 larger in all rows together.
-fn error_of_amplitudes(law: &DecayLaw<'_>, found: &DecayLawFit, scale: f64, period: f64) -> f64 {
-    let deviation = |k: usize| (scale * found.covariance[(k, k)]).sqrt();
+fn error_of_amplitudes(law: &DecayLaw<'_>, fit: &DecayLawFit, scale: f64, period: f64) -> f64 {
+    let deviation = |k: usize| (scale * fit.covariance[(k, k)]).sqrt();
     let change = |k: usize| {
         let moved = |sign: f64| {
-            let mut parameters = found.parameters.clone();
+            let mut parameters = fit.parameters.clone();
             parameters[k] += sign * deviation(k);
-            observed(law, found.terms, &parameters).map(|it| sign * (it.value - period))
+            observed(law, fit.terms, &parameters).map(|it| sign * (it.value - period))
         };
         // Outside the domain there is no period on one side.
         moved(1.0).or_else(|| moved(-1.0)).filter(|it| it.is_finite()).unwrap_or(0.0)
     };
-    let count = found.parameters.len();
+    let count = fit.parameters.len();
     let changes = DVector::from_fn(count, |k, _| change(k));
     let correlation = DMatrix::from_fn(count, count, |i, j| {
         let product = deviation(i) * deviation(j);
-        if product > 0.0 { scale * found.covariance[(i, j)] / product } else { 0.0 }
+        if product > 0.0 { scale * fit.covariance[(i, j)] / product } else { 0.0 }
     });
     (correlation * &changes).dot(&changes).max(0.0).sqrt()
 }
@@ -105,14 +105,14 @@ fn by_numbers(law: &DecayLaw<'_>, terms: DampingModel, parameters: &[f64]) -> Op
 
 /// ∫dt T0/T from the first row to a time.
 fn small_swing_time(points: &[(f64, f64)], sums: &[f64], time: f64) -> f64 {
-    let place = points.partition_point(|point| point.0 < time).clamp(1, points.len() - 1);
-    let (from, to) = (points[place - 1].0, points[place].0);
-    sums[place - 1] + (sums[place] - sums[place - 1]) * (time - from) / (to - from)
+    let index = points.partition_point(|point| point.0 < time).clamp(1, points.len() - 1);
+    let (from, to) = (points[index - 1].0, points[index].0);
+    sums[index - 1] + (sums[index] - sums[index - 1]) * (time - from) / (to - from)
 }
 
 /// ω0 without damping: the observed angular frequency 2π/T0, and half of the linear damping.
-pub(super) fn natural_frequency(table: &AmplitudeTable, found: &DecayLawFit, period: Uncertain) -> Uncertain {
-    let linear = found.rate(DampingKind::Linear);
+pub(super) fn natural_frequency(table: &AmplitudeTable, fit: &DecayLawFit, period: Uncertain) -> Uncertain {
+    let linear = fit.rate(DampingKind::Linear);
     let per_second = match table.against {
         Position::Time => linear,
         Position::Swings => linear / period.value,
@@ -124,13 +124,13 @@ pub(super) fn natural_frequency(table: &AmplitudeTable, found: &DecayLawFit, per
 /// The phase ω0 times the unit of the positions, which is known for swings without a period.
 pub(super) fn phase_per_position(
     table: &AmplitudeTable,
-    found: &DecayLawFit,
+    fit: &DecayLawFit,
     natural_frequency: Option<Uncertain>,
 ) -> Option<Uncertain> {
     match table.against {
         Position::Time => natural_frequency,
         Position::Swings => {
-            let value = 2.0 * libm::hypot(PI, 0.25 * found.rate(DampingKind::Linear));
+            let value = 2.0 * libm::hypot(PI, 0.25 * fit.rate(DampingKind::Linear));
             Some(Uncertain { value, uncertainty: 0.0 })
         }
     }
@@ -139,7 +139,7 @@ pub(super) fn phase_per_position(
 impl DecayLawFit {
     /// κₙ of a kind of damping; zero where the law does not have it.
     pub(super) fn rate(&self, term: DampingKind) -> f64 {
-        let place = self.terms.iter().position(|other| other == term);
-        place.map_or(0.0, |place| self.parameters[place + 1])
+        let index = self.terms.iter().position(|other| other == term);
+        index.map_or(0.0, |position| self.parameters[position + 1])
     }
 }

@@ -14,35 +14,35 @@ use libration::decay::small_cycle_integral;
 /// Q of a law at an amplitude; of linear damping alone at every one. `None` without damping. `scale` is the factor of the covariance.
 pub(super) fn quality(
     law: &DecayLaw<'_>,
-    found: &DecayLawFit,
+    fit: &DecayLawFit,
     phase: Uncertain,
     amplitude: f64,
     scale: f64,
 ) -> Option<Quality> {
-    if found.terms == DampingModel::only(DampingKind::Linear) {
-        return Some(Quality { factor: of_losses(found, phase, &[1.0], scale)?, amplitude: None });
+    if fit.terms == DampingModel::only(DampingKind::Linear) {
+        return Some(Quality { factor: of_losses(fit, phase, &[1.0], scale)?, amplitude: None });
     }
-    let factor = at_amplitude(law, found, phase, amplitude, scale)?;
+    let factor = at_amplitude(law, fit, phase, amplitude, scale)?;
     Some(Quality { factor, amplitude: Some(amplitude) })
 }
 
 /// 2πE/ΔE of the undamped cycle at this amplitude.
 pub(super) fn at_amplitude(
     law: &DecayLaw<'_>,
-    found: &DecayLawFit,
+    fit: &DecayLawFit,
     phase: Uncertain,
     amplitude: f64,
     scale: f64,
 ) -> Option<Uncertain> {
-    let losses: Vec<f64> = found.terms.iter().map(|term| loss(law, term, amplitude)).collect();
-    of_losses(found, phase, &losses, scale)
+    let losses: Vec<f64> = fit.terms.iter().map(|term| loss(law, term, amplitude)).collect();
+    of_losses(fit, phase, &losses, scale)
 }
 
 /// 1/Q = Σ κₙgₙ over the phase.
-fn of_losses(found: &DecayLawFit, phase: Uncertain, losses: &[f64], scale: f64) -> Option<Uncertain> {
-    let sum: f64 = losses.iter().zip(&found.parameters[1..]).map(|(loss, rate)| loss * rate).sum();
+fn of_losses(fit: &DecayLawFit, phase: Uncertain, losses: &[f64], scale: f64) -> Option<Uncertain> {
+    let sum: f64 = losses.iter().zip(&fit.parameters[1..]).map(|(loss, rate)| loss * rate).sum();
     let pairs = losses.iter().enumerate().flat_map(|(i, one)| {
-        losses.iter().enumerate().map(move |(j, other)| one * other * found.covariance[(i + 1, j + 1)])
+        losses.iter().enumerate().map(move |(j, other)| one * other * fit.covariance[(i + 1, j + 1)])
     });
     let variance: f64 = pairs.sum();
     let value = phase.value / sum;

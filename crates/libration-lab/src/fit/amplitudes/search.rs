@@ -180,9 +180,9 @@ fn linearised(
 }
 
 /// The size of a parameter: an amplitude, or a coefficient that would halve it.
-fn scale(law: &DecayLaw<'_>, terms: DampingModel, parameters: &DVector<f64>, place: usize) -> f64 {
+fn scale(law: &DecayLaw<'_>, terms: DampingModel, parameters: &DVector<f64>, index: usize) -> f64 {
     let amplitude = parameters[0].max(f64::MIN_POSITIVE);
-    match terms.iter().nth(place.wrapping_sub(1)) {
+    match terms.iter().nth(index.wrapping_sub(1)) {
         Some(term) => law.typical(term, amplitude),
         // The zero of the scale is linear in the values.
         None => law.table.reading.of(amplitude),

@@ -129,11 +129,11 @@ impl AmplitudeTable {
         let mut rows: Vec<AmplitudeRow> = rows.collect::<Result<_, _>>()?;
         rows.sort_by(|one, other| one.position.total_cmp(&other.position));
         let values: Vec<f64> = rows.iter().map(|row| row.value).collect();
-        let found = FoundSides::of(&values, columns.sides).ok_or(AmplitudesError::OneSide)?;
-        for (row, sign) in rows.iter_mut().zip(&found.signs) {
+        let detected = FoundSides::of(&values, columns.sides).ok_or(AmplitudesError::OneSide)?;
+        for (row, sign) in rows.iter_mut().zip(&detected.signs) {
             row.side = *sign;
         }
-        let counts_half_swings = found.sides == Sides::Both && count_half_swings(&rows, columns.against);
+        let counts_half_swings = detected.sides == Sides::Both && count_half_swings(&rows, columns.against);
         if counts_half_swings {
             rows.iter_mut().for_each(|row| row.halve(columns.against));
         }
@@ -141,7 +141,7 @@ impl AmplitudeTable {
             rows,
             against: columns.against,
             reading: columns.reading,
-            sides: found.sides,
+            sides: detected.sides,
             counts_half_swings,
             weighted,
             unstated_errors: columns.unstated_errors,
@@ -299,8 +299,8 @@ fn check_lengths(columns: &AmplitudeColumns<'_>) -> Result<(), AmplitudesError> 
         ("numbers of swings", optional(columns.swing_numbers)),
         ("periods", optional(columns.periods)),
     ];
-    match lengths.into_iter().find(|(_, found)| *found != expected) {
-        Some((column, found)) => Err(AmplitudesError::LengthMismatch { column, found, expected }),
+    match lengths.into_iter().find(|(_, length)| *length != expected) {
+        Some((column, length)) => Err(AmplitudesError::LengthMismatch { column, found: length, expected }),
         None => Ok(()),
     }
 }

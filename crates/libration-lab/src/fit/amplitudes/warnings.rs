@@ -72,16 +72,16 @@ fn near_top(table: &AmplitudeTable, fit: &AmplitudesFit) -> Option<AmplitudesWar
 fn refuted(comparison: &LawComparison<'_>) -> Option<AmplitudesWarning> {
     let (given, preferred) = (&comparison.laws[comparison.chosen], comparison.preferred_to_given()?);
     Some(AmplitudesWarning::LawRefuted {
-        given: given.found.terms,
-        preferred: preferred.found.terms,
+        given: given.fit.terms,
+        preferred: preferred.fit.terms,
         difference: given.excess - preferred.excess,
     })
 }
 
 fn not_separated(comparison: &LawComparison<'_>) -> Option<AmplitudesWarning> {
-    let chosen = comparison.laws[comparison.chosen].found.terms;
+    let chosen = comparison.laws[comparison.chosen].fit.terms;
     // A law with one kind of damping more is not another one: its further coefficient is not resolved.
-    let others = comparison.not_separated().filter(|law| !chosen.is_part_of(law.found.terms));
-    let laws: Vec<DampingModel> = others.map(|law| law.found.terms).collect();
+    let others = comparison.not_separated().filter(|law| !chosen.is_part_of(law.fit.terms));
+    let laws: Vec<DampingModel> = others.map(|law| law.fit.terms).collect();
     (!laws.is_empty()).then_some(AmplitudesWarning::LawsNotSeparated(laws))
 }

@@ -74,8 +74,8 @@ impl CombinedUncertainty {
         let matrix = matrix(&contributions, correlations)?;
         let changes = DMatrix::from_fn(contributions.len(), 1, |row, _| contributions[row].change());
         let variance = (changes.transpose() * matrix * changes)[(0, 0)].max(0.0);
-        let own = |each: &Contribution| square(square(each.change())) / each.degrees_of_freedom;
-        let spread: f64 = contributions.iter().map(own).sum();
+        let term = |each: &Contribution| square(square(each.change())) / each.degrees_of_freedom;
+        let spread: f64 = contributions.iter().map(term).sum();
         Ok(Self {
             standard: variance.sqrt(),
             degrees_of_freedom: if spread > 0.0 {
@@ -138,13 +138,13 @@ fn known_by(contributions: &[Contribution]) -> f64 {
 fn matrix(contributions: &[Contribution], correlations: &[Correlation]) -> Result<DMatrix<f64>, BudgetError> {
     /// Rounding of a matrix whose smallest eigenvalue is zero.
     const ROUNDING: f64 = 1e-12;
-    let place = |input: BudgetInput| {
-        let found = contributions.iter().position(|each| each.input == input);
-        found.ok_or(BudgetError::CorrelationWithNothing(input.name()))
+    let index = |input: BudgetInput| {
+        let position = contributions.iter().position(|each| each.input == input);
+        position.ok_or(BudgetError::CorrelationWithNothing(input.name()))
     };
     let mut matrix = DMatrix::identity(contributions.len(), contributions.len());
     for &Correlation { between, coefficient } in correlations {
-        let [row, column] = [place(between[0])?, place(between[1])?];
+        let [row, column] = [index(between[0])?, index(between[1])?];
         if row == column || !(-1.0..=1.0).contains(&coefficient) {
             return Err(BudgetError::Correlation { coefficient });
         }

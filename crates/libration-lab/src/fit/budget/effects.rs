@@ -149,7 +149,7 @@ impl Values {
             self.stiffness,
             self.edge_radius,
         ];
-        all.iter().all(|known| *known <= 0.0)
+        all.iter().all(|size| *size <= 0.0)
     }
 
     /// The same pendulum with a bob of this κ, in m².

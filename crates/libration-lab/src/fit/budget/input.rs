@@ -161,7 +161,7 @@ impl BudgetInput {
     }
 
     /// Slot of the input among the values; `None` for inputs of tables of lengths.
-    pub(super) fn place(self, values: &mut Values) -> Option<&mut f64> {
+    pub(super) fn slot(self, values: &mut Values) -> Option<&mut f64> {
         match self {
             Self::Length => Some(&mut values.length),
             Self::Period => Some(&mut values.t0),

@@ -61,31 +61,33 @@ impl Given {
     }
 
     /// The values with these corrections, and nothing else known.
-    fn corrections(&mut self, known: &Corrections) -> Result<Values, BudgetError> {
+    fn corrections(&mut self, corrections: &Corrections) -> Result<Values, BudgetError> {
         use BudgetInput as Of;
         let mut values = Values::default();
-        if let Some(bob) = known.bob {
+        if let Some(bob) = corrections.bob {
             values.bob = bob.size();
             self.value("radius of the bob", Of::BobRadius, Some(bob.radius))?;
             self.value("height of the bob", Of::BobHeight, bob.height)?;
             self.value("inner radius of the bob", Of::BobInnerRadius, bob.inner_radius)?;
             bob.check()?;
         }
-        values.bob_mass = self.value("mass of the bob", Of::BobMass, known.bob_mass)?;
-        values.bob_density = self.value("density of the bob", Of::BobDensity, known.bob_density)?;
-        values.rod_mass = self.value("mass of the rod", Of::RodMass, known.rod_mass)?;
-        values.rod_length = self.value("length of the rod", Of::RodLength, known.rod_length)?;
-        values.air_density = self.value("density of the air", Of::AirDensity, Some(known.air_density))?;
-        values.stretch = self.value("stretch", Of::Stretch, known.stretch)?;
-        values.expansion = self.value("coefficient of expansion", Of::Expansion, known.expansion)?;
-        if let Some(Quantity { value, uncertainty }) = known.warming {
+        values.bob_mass = self.value("mass of the bob", Of::BobMass, corrections.bob_mass)?;
+        values.bob_density = self.value("density of the bob", Of::BobDensity, corrections.bob_density)?;
+        values.rod_mass = self.value("mass of the rod", Of::RodMass, corrections.rod_mass)?;
+        values.rod_length = self.value("length of the rod", Of::RodLength, corrections.rod_length)?;
+        values.air_density =
+            self.value("density of the air", Of::AirDensity, Some(corrections.air_density))?;
+        values.stretch = self.value("stretch", Of::Stretch, corrections.stretch)?;
+        values.expansion = self.value("coefficient of expansion", Of::Expansion, corrections.expansion)?;
+        if let Some(Quantity { value, uncertainty }) = corrections.warming {
             check_temperatures(value, uncertainty.unwrap_or(0.0))?;
             self.0.push((Of::Warming, uncertainty));
             values.warming = value;
         }
         values.stiffness =
-            self.value("stiffness of the support", Of::SupportStiffness, known.support_stiffness)?;
-        values.edge_radius = self.value("radius of the knife edge", Of::EdgeRadius, known.edge_radius)?;
+            self.value("stiffness of the support", Of::SupportStiffness, corrections.support_stiffness)?;
+        values.edge_radius =
+            self.value("radius of the knife edge", Of::EdgeRadius, corrections.edge_radius)?;
         Ok(values)
     }
 }
@@ -249,10 +251,11 @@ impl<'a> Inputs<'a> {
         const MATTERS: f64 = 1e-9;
         let counted = self.uncertain.iter().filter(|(input, _)| counts(*input));
         let matters = |input| (self.reach(input) * self.slope(input, &of)).abs() > MATTERS;
-        let (known, open): (Vec<_>, Vec<_>) =
+        let (complete, open): (Vec<_>, Vec<_>) =
             counted.filter(|(input, _)| matters(*input)).partition(|(_, spread)| spread.is_some());
-        let squares = known.iter().map(|(input, _)| self.change(*input, &of)).map(|change| change * change);
-        (open.is_empty() || !known.is_empty()).then(|| squares.sum::<f64>().sqrt())
+        let squares =
+            complete.iter().map(|(input, _)| self.change(*input, &of)).map(|change| change * change);
+        (open.is_empty() || !complete.is_empty()).then(|| squares.sum::<f64>().sqrt())
     }
 
     fn slope(&self, input: BudgetInput, of: impl Fn(&Values) -> f64) -> f64 {
@@ -264,8 +267,8 @@ impl<'a> Inputs<'a> {
         let values = self.values;
         move |x| {
             let mut moved = values;
-            if let Some(place) = input.place(&mut moved) {
-                *place = x;
+            if let Some(variable) = input.slot(&mut moved) {
+                *variable = x;
             }
             of(&moved)
         }
@@ -273,7 +276,7 @@ impl<'a> Inputs<'a> {
 
     fn value(&self, input: BudgetInput) -> f64 {
         let mut values = self.values;
-        input.place(&mut values).map_or(f64::NAN, |place| *place)
+        input.slot(&mut values).map_or(f64::NAN, |variable| *variable)
     }
 
     /// Distance over which the functions are defined: to zero, and for amplitudes to the top.

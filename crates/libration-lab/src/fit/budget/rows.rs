@@ -73,7 +73,7 @@ impl Inputs<'_> {
         note: String,
     ) -> BudgetRow {
         let ratio = |values: &Values| self.gravity_of(values) / self.gravity_without(values, effect);
-        let own = |input| {
+        let contributes = |input| {
             !matches!(
                 input,
                 BudgetInput::Length
@@ -87,7 +87,7 @@ impl Inputs<'_> {
             name,
             formula,
             correction: self.size_of(effect),
-            uncertainty: self.changes(ratio, own).map(|change| self.gravity() * change),
+            uncertainty: self.changes(ratio, contributes).map(|change| self.gravity() * change),
             evaluation: Evaluation::Judgement,
             note,
         }

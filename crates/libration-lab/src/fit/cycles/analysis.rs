@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use super::bias::{Bias, SimulatedMeasurement};
 use super::centre::Centre;
+use super::cycle_landmarks::CycleLandmarks;
 use super::envelope::{Envelope, envelope};
-use super::found::CycleLandmarks;
 use super::generalised::CycleScatter;
 use super::landmarks::{Landmarks, landmarks};
 use super::period_law::{self, PeriodLaw};
@@ -34,8 +34,8 @@ pub fn fit_cycles(
     progress: &dyn Progress,
 ) -> Result<Cycles, CyclesError> {
     let watch = &Watch::new(progress);
-    let found = of_pivot_with_errors(trace, options, watch);
-    if watch.is_stopped() { Err(Interrupted.into()) } else { found }
+    let cycles = of_pivot_with_errors(trace, options, watch);
+    if watch.is_stopped() { Err(Interrupted.into()) } else { cycles }
 }
 
 fn of_pivot_with_errors(
@@ -43,12 +43,12 @@ fn of_pivot_with_errors(
     options: &CyclesOptions,
     watch: &Watch<'_>,
 ) -> Result<Cycles, CyclesError> {
-    let mut found = about_a_known_pivot(trace, options, watch)?;
+    let mut cycles = about_a_known_pivot(trace, options, watch)?;
     for error in trace.fitted_pivot().iter().flat_map(|pivot| pivot.errors()) {
         let moved = about_a_known_pivot(&trace.shifted(&error), options, watch)?;
-        pivot::add(&mut found, moved, watch);
+        pivot::add(&mut cycles, moved, watch);
     }
-    Ok(found)
+    Ok(cycles)
 }
 
 /// Computes the cycles as if the values were those of the pendulum's angle.
@@ -68,8 +68,8 @@ fn about_a_known_pivot(
     if rows_per_period < FEWEST_ROWS_PER_PERIOD {
         return Err(CyclesError::TooCoarse { rows_per_period });
     }
-    let found = CycleLandmarks::new(&stretches, typical_uncertainty(trace));
-    let (half_swings, rows) = settled(&found, trace.observable(), period);
+    let landmarks = CycleLandmarks::new(&stretches, typical_uncertainty(trace));
+    let (half_swings, rows) = settled(&landmarks, trace.observable(), period);
     if rows.is_empty() {
         return Err(too_short);
     }
@@ -101,7 +101,7 @@ fn about_a_known_pivot(
         t0_degrees_of_freedom: law.degrees_of_freedom,
         chi2_per_dof: law.chi2_per_dof,
         beta: period_law::beta(&kept, watch),
-        warnings: warnings(&found, &rows, outliers.len(), &swings, &longest.centre, trace.observable()),
+        warnings: warnings(&landmarks, &rows, outliers.len(), &swings, &longest.centre, trace.observable()),
         rows: kept,
         about_moved_pivot: vec![],
     })
@@ -145,26 +145,26 @@ fn typical_uncertainty(trace: &Trace) -> f64 {
 
 /// The half swings and the cycles; for a trace of velocities with a consistent ω0.
 fn settled(
-    found: &CycleLandmarks,
+    landmarks: &CycleLandmarks,
     observable: Observable,
     longest: f64,
 ) -> (Vec<Option<HalfSwing>>, Vec<CycleRow>) {
     let t0 = match observable {
         Observable::Angle => longest,
-        Observable::AngularVelocity => t0_of_velocities(found, longest),
+        Observable::AngularVelocity => t0_of_velocities(landmarks, longest),
     };
-    let half_swings = found.half_swings(observable, TAU / t0);
-    let rows = found.rows(&half_swings);
+    let half_swings = landmarks.half_swings(observable, TAU / t0);
+    let rows = landmarks.rows(&half_swings);
     (half_swings, rows)
 }
 
 /// The T0 that agrees with that of the cycles, whose amplitudes follow from their largest velocities and this T0. With a larger T0 the amplitudes
 /// are larger and the cycles give a smaller one, so that there is one solution between 0 and the period.
-fn t0_of_velocities(found: &CycleLandmarks, period: f64) -> f64 {
-    let complete = found.rows(&found.half_swings(Observable::AngularVelocity, f64::INFINITY)).len();
+fn t0_of_velocities(landmarks: &CycleLandmarks, period: f64) -> f64 {
+    let complete = landmarks.rows(&landmarks.half_swings(Observable::AngularVelocity, f64::INFINITY)).len();
     let [t0, _] = bisect([0.1 * period, period], Tolerance::absolute(1e-12 * period), |t0| {
-        let half_swings = found.half_swings(Observable::AngularVelocity, TAU / t0);
-        let rows = found.rows(&half_swings);
+        let half_swings = landmarks.half_swings(Observable::AngularVelocity, TAU / t0);
+        let rows = landmarks.rows(&half_swings);
         // Cycles that would lead over the top imply a smaller T0, whatever their number.
         let beyond = vec![0.0; complete.saturating_sub(rows.len())];
         let said = rows.iter().map(CycleRow::small_angle_period).chain(beyond).collect();
@@ -194,14 +194,14 @@ impl Cycle {
 
 /// Warnings about the way the cycles were found.
 fn warnings(
-    found: &CycleLandmarks,
+    landmarks: &CycleLandmarks,
     rows: &[CycleRow],
     outliers: usize,
     swings: &Swings,
     centre: &Centre,
     observable: Observable,
 ) -> Vec<CyclesWarning> {
-    let incomplete = found.cycles.len() - rows.len();
+    let incomplete = landmarks.cycles.len() - rows.len();
     let deviation = centre.wander;
     [
         (swings.rotations > 0).then_some(CyclesWarning::OverTheTop { swings: swings.rotations }),

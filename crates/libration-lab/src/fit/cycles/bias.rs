@@ -8,8 +8,8 @@
 
 use std::f64::consts::TAU;
 
+use super::cycle_landmarks::CycleLandmarks;
 use super::envelope::EnvelopeFit;
-use super::found::CycleLandmarks;
 use super::landmarks::landmarks;
 use super::row::CycleRow;
 use super::shape::LARGEST_AMPLITUDE;
@@ -120,13 +120,13 @@ impl SimulatedMeasurement {
 
     /// The mean amplitude and the mean bias of the cycles in these values.
     fn measured(&self, times: &[f64], motion: &Solution, watch: &Watch<'_>) -> Option<(f64, f64)> {
-        let place = usize::from(self.observable == Observable::AngularVelocity);
-        let values = motion.samples.iter().map(|sample| sample.state[place]).collect();
+        let component = usize::from(self.observable == Observable::AngularVelocity);
+        let values = motion.samples.iter().map(|sample| sample.state[component]).collect();
         let trace = Trace::new("simulated", self.observable, times.to_vec(), values, None).ok()?;
         let swings = swings(&trace).ok()?;
         let marks = landmarks(&trace, swings.stretches.first()?, Some(self.noise), watch)?;
-        let found = CycleLandmarks::new(&[marks], 1.0);
-        let rows = found.rows(&found.half_swings(self.observable, self.omega0));
+        let landmarks = CycleLandmarks::new(&[marks], 1.0);
+        let rows = landmarks.rows(&landmarks.half_swings(self.observable, self.omega0));
         let inner = rows.get(1..rows.len().saturating_sub(1))?;
         let t0 = TAU / self.omega0;
         let of = |value: &dyn Fn(&CycleRow) -> f64| mean(inner.iter().map(value));

@@ -68,10 +68,10 @@ impl Centre {
     /// Times and centres of single swings, each from as many consecutive extremes as there are weights.
     fn middles(&self, extremes: &[Option<Extreme>], weights: &[f64]) -> Vec<(f64, f64)> {
         let middle = |window: &[Option<Extreme>]| {
-            let known: Vec<Extreme> = window.iter().copied().collect::<Option<_>>()?;
+            let complete: Vec<Extreme> = window.iter().copied().collect::<Option<_>>()?;
             let weighted =
-                known.iter().zip(weights).map(|(it, weight)| weight * (it.value + self.at(it.time)));
-            Some((known[weights.len() / 2].time, weighted.sum()))
+                complete.iter().zip(weights).map(|(it, weight)| weight * (it.value + self.at(it.time)));
+            Some((complete[weights.len() / 2].time, weighted.sum()))
         };
         extremes.windows(weights.len()).filter_map(middle).collect()
     }

@@ -27,7 +27,7 @@ impl DecayRates {
     /// Tabulates the rates up to this amplitude, in radians.
     pub fn new(omega0: f64, largest: f64) -> Self {
         let step = (1.05 * largest).clamp(0.01, LARGEST_AMPLITUDE) / count(PLACES);
-        let table = |exponent: f64| (0..=PLACES).map(|place| enhancement(exponent, step, place)).collect();
+        let table = |exponent: f64| (0..=PLACES).map(|node| enhancement(exponent, step, node)).collect();
         Self { step, tables: [0.0, 1.0, 2.0].map(table), omega0 }
     }
 
@@ -46,10 +46,10 @@ impl DecayRates {
     /// Interpolates by the cubic through four neighbours.
     fn interpolated(&self, exponent: usize, amplitude: f64) -> f64 {
         let table = &self.tables[exponent];
-        let place = amplitude / self.step;
+        let position = amplitude / self.step;
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to the table")]
-        let first = (place.floor().clamp(1.0, 398.0) as usize) - 1;
-        let x = (place - count(first)).clamp(0.0, 3.0);
+        let first = (position.floor().clamp(1.0, 398.0) as usize) - 1;
+        let x = (position - count(first)).clamp(0.0, 3.0);
         let [a, b, c, d] = [0, 1, 2, 3].map(|k| table[first + k]);
         a * (x - 1.0) * (x - 2.0) * (x - 3.0) / -6.0
             + b * x * (x - 2.0) * (x - 3.0) / 2.0
@@ -59,10 +59,10 @@ impl DecayRates {
 }
 
 /// φₙ over its limit for small amplitudes.
-fn enhancement(exponent: f64, step: f64, place: usize) -> f64 {
-    let radians = step * count(place);
+fn enhancement(exponent: f64, step: f64, node: usize) -> f64 {
+    let radians = step * count(node);
     let amplitude = Angle::from_radians(radians).ok().and_then(|angle| Amplitude::new(angle).ok());
-    let Some(amplitude) = amplitude.filter(|_| place > 0) else { return 1.0 };
+    let Some(amplitude) = amplitude.filter(|_| node > 0) else { return 1.0 };
     let loss = cycle_integral(exponent, &amplitude) / small_cycle_integral(exponent, radians);
     loss * radians / (period_ratio(radians) * libm::sin(radians))
 }

@@ -46,8 +46,8 @@ pub(super) fn extreme(
     // (1 − κx²/2)(a + bx + cx²) is highest at x = b/(κa − 2c).
     let [height, skewness, length] = [0, 1, 2].map(coefficient);
     let bend = shape.curvature() * height - 2.0 * length;
-    let place = if bend * height > 0.0 { (skewness / bend).clamp(-FURTHEST, FURTHEST) } else { 0.0 };
-    let value = shape.near_extreme(place) * (height + place * (skewness + place * length));
+    let offset = if bend * height > 0.0 { (skewness / bend).clamp(-FURTHEST, FURTHEST) } else { 0.0 };
+    let value = shape.near_extreme(offset) * (height + offset * (skewness + offset * length));
     let uncertainty = noise.unwrap_or(1.0) * fit.covariance[(0, 0)].sqrt();
-    Some((Extreme { time: middle + place * quarter, value, uncertainty }, fit.residuals))
+    Some((Extreme { time: middle + offset * quarter, value, uncertainty }, fit.residuals))
 }

@@ -66,15 +66,15 @@ impl Fall<'_> {
     /// Fits the parameters by least squares, beginning with those of a linear equation; `None` where the data are too few or leave one
     /// undetermined, and where the search does not converge.
     pub(super) fn fit(&self, terms: DampingModel) -> Option<EnvelopeLaw> {
-        let found =
+        let solution =
             minimum(self.guess(terms)?, EFFORT, |parameters| self.linearised(terms, parameters)).ok()?;
-        if !found.converged {
+        if !solution.converged {
             return None;
         }
-        let covariance = Design::new(&found.linearised.jacobian, EXACTNESS).ok()?.covariance();
-        let parameters: Vec<f64> = found.parameters.iter().copied().collect();
+        let covariance = Design::new(&solution.linearised.jacobian, EXACTNESS).ok()?.covariance();
+        let parameters: Vec<f64> = solution.parameters.iter().copied().collect();
         let fitted = self.amplitudes(terms, &parameters);
-        let chi2 = found.linearised.residuals.norm_squared();
+        let chi2 = solution.linearised.residuals.norm_squared();
         Some(EnvelopeLaw { terms, parameters, covariance, chi2, fitted })
     }
 

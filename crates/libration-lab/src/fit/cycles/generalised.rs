@@ -151,19 +151,19 @@ impl Equations<'_> {
     /// size, Vₖₖ − xₖᵀ(XᵀV⁻¹X)⁻¹xₖ; on average never less than the noise.
     fn scatter(&self, solution: &VarianceSolution) -> CycleScatter {
         let fluctuation = solution.ratio * self.typical;
-        let (mut found, mut expected, mut noise_part) = (0.0, 0.0, 0.0);
+        let (mut squares, mut expected, mut noise_part) = (0.0, 0.0, 0.0);
         for (row, noise) in self.noise.iter().map(|entries| entries[2]).enumerate() {
-            let own =
+            let factors =
                 DVector::from_iterator(self.columns.len(), self.columns.iter().map(|column| column[row]));
-            let residual = self.rows[row].period - own.dot(&solution.coefficients);
-            let by_fit = own.dot(&(&solution.inverse * &own));
+            let residual = self.rows[row].period - factors.dot(&solution.coefficients);
+            let by_fit = factors.dot(&(&solution.inverse * &factors));
             let variance = noise + fluctuation;
-            found += residual * residual / variance;
+            squares += residual * residual / variance;
             expected += 1.0 - by_fit / variance;
             noise_part += noise / variance;
         }
         let least = noise_part / count(self.rows.len());
-        let scale = if expected > 0.0 { least.max(found / expected) } else { least };
+        let scale = if expected > 0.0 { least.max(squares / expected) } else { least };
         CycleScatter { noise: scale, fluctuation: scale * fluctuation }
     }
 
@@ -189,15 +189,15 @@ impl Factor {
     pub fn new(noise: &Bands, fluctuation: &Bands, ratio: f64) -> Option<Self> {
         let mut factor: Bands = Vec::with_capacity(noise.len());
         for (n, (noise, fluctuation)) in noise.iter().zip(fluctuation).enumerate() {
-            let [second, first, own] = [0, 1, 2].map(|k| noise[k] + ratio * fluctuation[k]);
+            let [second, first, diagonal] = [0, 1, 2].map(|k| noise[k] + ratio * fluctuation[k]);
             let before = |back: usize| n.checked_sub(back).map_or([0.0, 0.0, 1.0], |m| factor[m]);
             let second = second / before(2)[2];
             let first = (first - second * before(1)[1]) / before(1)[2];
-            let own = own - first * first - second * second;
-            if own <= 0.0 || !own.is_finite() {
+            let pivot = diagonal - first * first - second * second;
+            if pivot <= 0.0 || !pivot.is_finite() {
                 return None;
             }
-            factor.push([second, first, own.sqrt()]);
+            factor.push([second, first, pivot.sqrt()]);
         }
         Some(Self(factor))
     }
@@ -205,9 +205,9 @@ impl Factor {
     /// L⁻¹ times a column.
     pub fn whitened(&self, column: &[f64]) -> DVector<f64> {
         let mut white: Vec<f64> = Vec::with_capacity(column.len());
-        for (n, (&value, [second, first, own])) in column.iter().zip(&self.0).enumerate() {
+        for (n, (&value, [second, first, diagonal])) in column.iter().zip(&self.0).enumerate() {
             let before = |back: usize| n.checked_sub(back).map_or(0.0, |m| white[m]);
-            white.push((value - second * before(2) - first * before(1)) / own);
+            white.push((value - second * before(2) - first * before(1)) / diagonal);
         }
         DVector::from_vec(white)
     }
@@ -218,13 +218,13 @@ impl Factor {
         let mut inverse: Bands = vec![[0.0; 3]; rows + 2];
         for n in (0..rows).rev() {
             let below = |down: usize| self.0.get(n + down).map_or(0.0, |entries| entries[2 - down]);
-            let (own, first, second) = (self.0[n][2], below(1), below(2));
+            let (diagonal, first, second) = (self.0[n][2], below(1), below(2));
             let [one, both, two] = [inverse[n + 1][2], inverse[n + 2][1], inverse[n + 2][2]];
-            let beside = -(first * one + second * both) / own;
-            let further = -(first * both + second * two) / own;
+            let beside = -(first * one + second * both) / diagonal;
+            let further = -(first * both + second * two) / diagonal;
             inverse[n + 1][1] = beside;
             inverse[n + 2][0] = further;
-            inverse[n][2] = (1.0 / own - first * beside - second * further) / own;
+            inverse[n][2] = (1.0 / diagonal - first * beside - second * further) / diagonal;
         }
         inverse.truncate(rows);
         inverse

@@ -51,14 +51,14 @@ pub(super) fn landmarks(
 ) -> Option<Landmarks> {
     let mut guess = first_guess(trace, stretch)?;
     guess.noise = noise;
-    let mut found = None;
+    let mut last = None;
     for _ in 0..ROUNDS {
         let measured = guess.measure(trace, watch)?;
         guess.take(&measured);
         guess.noise = noise.or(guess.noise);
-        found = Some(measured);
+        last = Some(measured);
     }
-    found
+    last
 }
 
 /// Guesses the passages of the centre between turning points, and the extremes, from the rows themselves.
@@ -114,15 +114,15 @@ impl Guess {
     /// Measures the landmark at each position; on all cores where there are many rows per landmark.
     fn each<R: Send>(
         &self,
-        places: usize,
+        landmarks: usize,
         trace: &Trace,
         watch: &Watch<'_>,
-        found: impl Fn(usize, &Watch<'_>) -> R + Sync,
+        measure: impl Fn(usize, &Watch<'_>) -> R + Sync,
     ) -> Vec<R> {
-        let places: Vec<usize> = (0..places).collect();
+        let indices: Vec<usize> = (0..landmarks).collect();
         match trace.len() / self.passages.len() >= WORTH_A_CORE {
-            true => parallel::map(&places, watch, |&k, watch| found(k, watch)),
-            false => places.into_iter().map(|k| found(k, watch)).collect(),
+            true => parallel::map(&indices, watch, |&k, watch| measure(k, watch)),
+            false => indices.into_iter().map(|k| measure(k, watch)).collect(),
         }
     }
 
@@ -153,14 +153,14 @@ impl Guess {
 }
 
 /// Separates the landmarks from their residuals, which are appended to `residuals`.
-fn apart<L>(found: Vec<Option<(L, Vec<f64>)>>, residuals: &mut Vec<f64>) -> Vec<Option<L>> {
-    let one = |found: Option<(L, Vec<f64>)>| {
-        found.map(|(landmark, new)| {
+fn apart<L>(fits: Vec<Option<(L, Vec<f64>)>>, residuals: &mut Vec<f64>) -> Vec<Option<L>> {
+    let one = |fit: Option<(L, Vec<f64>)>| {
+        fit.map(|(landmark, new)| {
             residuals.extend(new);
             landmark
         })
     };
-    found.into_iter().map(one).collect()
+    fits.into_iter().map(one).collect()
 }
 
 /// The amplitude for a largest velocity and a quarter of the period, in radians: v = 2ω0(A) sin(A/2), where ω0 follows

@@ -76,8 +76,8 @@ impl Points {
         let over = weights.iter().zip(&self.deviations).map(|(weight, deviation)| weight.sqrt() / deviation);
         let over: Vec<f64> = over.collect();
         let mut matrix = DMatrix::zeros(points, width + 1);
-        for (column, mut place) in matrix.column_iter_mut().enumerate() {
-            for (point, (entry, over)) in place.iter_mut().zip(&over).enumerate() {
+        for (column, mut powers) in matrix.column_iter_mut().enumerate() {
+            for (point, (entry, over)) in powers.iter_mut().zip(&over).enumerate() {
                 let factor =
                     if column < width { self.rows[point * width + column] } else { self.values[point] };
                 *entry = factor * over;

@@ -24,7 +24,7 @@ mod passage;
 pub(crate) mod even;
 mod extreme;
 mod landmarks;
-mod found;
+mod cycle_landmarks;
 pub(crate) mod generalised;
 pub(super) mod period_law;
 pub(super) mod row;

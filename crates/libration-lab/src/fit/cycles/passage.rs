@@ -57,7 +57,7 @@ pub(super) fn passage(
         (shape.time_since_zero_for(near.len()), shape.slope_near_zero_for(near.len(), NEAREST));
     let parts: Vec<f64> = near.iter().map(|row| time_since_zero(row.1 / extreme)).collect();
     let mut centre = about;
-    let mut found = None;
+    let mut last = None;
     // The curve is read where it is zero, so it is fitted again about that point.
     for _ in 0..ROUNDS {
         let mut points = Points::with_width(order + 1);
@@ -73,7 +73,7 @@ pub(super) fn passage(
         }
         centre -= quarter * (fit.coefficients[0] / slope).clamp(-0.5, 0.5);
         let spread = noise.unwrap_or(1.0) * fit.covariance[(0, 0)].sqrt() * quarter / slope.abs();
-        found = Some((CentrePassage { time: centre, uncertainty: spread }, fit.residuals));
+        last = Some((CentrePassage { time: centre, uncertainty: spread }, fit.residuals));
     }
-    found
+    last
 }

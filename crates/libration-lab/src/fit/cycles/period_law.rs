@@ -73,17 +73,17 @@ impl CycleRow {
     }
 
     fn shared_sides(&self, other: &Self) -> impl Iterator<Item = (Side, Side)> {
-        let pairs = self.sides.into_iter().flat_map(|own| other.sides.map(|shared| (own, shared)));
-        pairs.filter(|(own, shared)| own.number == shared.number)
+        let pairs = self.sides.into_iter().flat_map(|side| other.sides.map(|shared| (side, shared)));
+        pairs.filter(|(side, shared)| side.number == shared.number)
     }
 }
 
 /// Fits T0 under the exact law.
 pub(in crate::fit) fn exact(rows: &[CycleRow], watch: &Watch<'_>) -> Option<PeriodLaw> {
     let columns = vec![rows.iter().map(|row| row.ratio).collect::<Vec<f64>>()];
-    let found = settled(rows, &columns, 0, watch)?;
-    let t0 = Uncertain { value: found.coefficients[0], uncertainty: found.covariance[(0, 0)].sqrt() };
-    let Generalised { chi2_per_dof, degrees_of_freedom, scatter, .. } = found;
+    let solution = settled(rows, &columns, 0, watch)?;
+    let t0 = Uncertain { value: solution.coefficients[0], uncertainty: solution.covariance[(0, 0)].sqrt() };
+    let Generalised { chi2_per_dof, degrees_of_freedom, scatter, .. } = solution;
     Some(PeriodLaw { t0, chi2_per_dof, degrees_of_freedom, scatter })
 }
 
@@ -99,8 +99,8 @@ pub(in crate::fit) fn beta(rows: &[CycleRow], watch: &Watch<'_>) -> Result<Beta,
     }
     amplitudes_tell(rows.iter().map(|row| (row.ratio, row.ratio_variance())))?;
     let columns = vec![vec![1.0; rows.len()], excess];
-    let found = settled(rows, &columns, 1, watch).ok_or(open)?;
-    Ok(Beta::from_line(&found.coefficients, &found.covariance, found.degrees_of_freedom))
+    let solution = settled(rows, &columns, 1, watch).ok_or(open)?;
+    Ok(Beta::from_line(&solution.coefficients, &solution.covariance, solution.degrees_of_freedom))
 }
 
 /// Refuses amplitudes of which more than 5 % of the variance of T/T0 is noise: a regression on values with errors is biased
@@ -121,13 +121,13 @@ fn settled(
     watch: &Watch<'_>,
 ) -> Option<Generalised> {
     let mut slope = median(rows.iter().map(CycleRow::small_angle_period).collect())?;
-    let mut found = None;
+    let mut last = None;
     for _ in 0..ROUNDS {
         let renewed = fit(rows, slope, Explanation { columns, ratio: coefficient }, watch)?;
         slope = renewed.coefficients[coefficient];
-        found = Some(renewed);
+        last = Some(renewed);
     }
-    found
+    last
 }
 
 /// Fewest rows among which outliers are detected. With 5 nothing changed in twelve of the recordings
@@ -143,6 +143,6 @@ pub(super) fn outliers(rows: &[CycleRow], threshold: f64) -> Vec<usize> {
     let Some(scatter) = robust_deviation(&deviations).filter(|_| rows.len() >= FEWEST_TO_JUDGE) else {
         return vec![];
     };
-    let own = |row: usize| scatter.max(rows[row].noise_with(&rows[row], middle).sqrt());
-    (0..rows.len()).filter(|&row| deviations[row].abs() > threshold * own(row)).collect()
+    let deviation = |row: usize| scatter.max(rows[row].noise_with(&rows[row], middle).sqrt());
+    (0..rows.len()).filter(|&row| deviations[row].abs() > threshold * deviation(row)).collect()
 }

@@ -87,15 +87,16 @@ impl CycleRow {
 
     /// The covariance that the noise gives two rows, when the period changes by `slope`·R′ with the amplitude.
     pub(super) fn noise_with(&self, other: &Self, slope: f64) -> f64 {
-        let both = |(own, shared): (&Share, &Share)| {
-            own.of_residual(slope) * shared.of_residual(slope) * own.variance
+        let both = |(share, shared): (&Share, &Share)| {
+            share.of_residual(slope) * shared.of_residual(slope) * share.variance
         };
         self.shared_errors(other).map(both).sum()
     }
 
     /// The covariance of T/T0 of one row with the noise in the residual of the period of the other.
     pub(super) fn ratio_noise_with(&self, other: &Self, slope: f64) -> f64 {
-        let both = |(own, shared): (&Share, &Share)| own.of_ratio * shared.of_residual(slope) * own.variance;
+        let both =
+            |(share, shared): (&Share, &Share)| share.of_ratio * shared.of_residual(slope) * share.variance;
         self.shared_errors(other).map(both).sum()
     }
 
@@ -110,7 +111,8 @@ impl CycleRow {
     }
 
     fn shared_errors<'a>(&'a self, other: &'a Self) -> impl Iterator<Item = (&'a Share, &'a Share)> {
-        let pairs = self.errors.iter().flat_map(|own| other.errors.iter().map(move |shared| (own, shared)));
-        pairs.filter(|(own, shared)| own.source == shared.source)
+        let pairs =
+            self.errors.iter().flat_map(|share| other.errors.iter().map(move |shared| (share, shared)));
+        pairs.filter(|(share, shared)| share.source == shared.source)
     }
 }

@@ -22,8 +22,8 @@ pub fn beta_of_traces(
     progress: &dyn Progress,
 ) -> Result<Beta, CyclesError> {
     let watch = &Watch::new(progress);
-    let found = of_all_cycles(traces, cycles, watch);
-    if watch.is_stopped() { Err(Interrupted.into()) } else { found }
+    let beta = of_all_cycles(traces, cycles, watch);
+    if watch.is_stopped() { Err(Interrupted.into()) } else { beta }
 }
 
 fn of_all_cycles(
@@ -31,36 +31,36 @@ fn of_all_cycles(
     cycles: &[Result<Cycles, CyclesError>],
     watch: &Watch<'_>,
 ) -> Result<Beta, CyclesError> {
-    let known: Vec<(&Trace, &Cycles)> = traces
+    let measured: Vec<(&Trace, &Cycles)> = traces
         .iter()
         .zip(cycles)
         .filter_map(|(trace, cycles)| Some((trace, cycles.as_ref().ok()?)))
         .collect();
-    if let ([], Some(Err(error))) = (&known[..], cycles.first()) {
+    if let ([], Some(Err(error))) = (&measured[..], cycles.first()) {
         return Err(error.clone());
     }
-    if let ([(_, only)], [_]) = (&known[..], cycles) {
+    if let ([(_, only)], [_]) = (&measured[..], cycles) {
         return only.beta.clone();
     }
     let rows = |of: &dyn Fn(&Trace, &Cycles) -> Vec<CycleRow>| {
-        joined(known.iter().map(|(trace, cycles)| of(trace, cycles)))
+        joined(measured.iter().map(|(trace, cycles)| of(trace, cycles)))
     };
-    let found = period_law::beta(&rows(&|_, cycles| cycles.rows.clone()), watch)?;
-    let errors = pivots(&known).into_iter().flat_map(|pivot| [(pivot, 0), (pivot, 1)]);
+    let beta_of_rows = period_law::beta(&rows(&|_, cycles| cycles.rows.clone()), watch)?;
+    let errors = pivots(&measured).into_iter().flat_map(|pivot| [(pivot, 0), (pivot, 1)]);
     let with_error = |beta: Beta, (pivot, error): (&FittedPivot, usize)| {
         let moved = rows(&|trace, cycles| {
-            let own = trace.fitted_pivot().filter(|own| own.is_shared_with(pivot));
-            own.and(cycles.about_moved_pivot.get(error)).unwrap_or(&cycles.rows).clone()
+            let fitted = trace.fitted_pivot().filter(|fitted| fitted.is_shared_with(pivot));
+            fitted.and(cycles.about_moved_pivot.get(error)).unwrap_or(&cycles.rows).clone()
         });
         period_law::beta(&moved, watch).map_or(beta, |moved| beta.with_error(&moved))
     };
-    Ok(errors.fold(found, with_error))
+    Ok(errors.fold(beta_of_rows, with_error))
 }
 
 /// The fitted pivots, each once.
-fn pivots<'a>(known: &[(&'a Trace, &Cycles)]) -> Vec<&'a FittedPivot> {
+fn pivots<'a>(measured: &[(&'a Trace, &Cycles)]) -> Vec<&'a FittedPivot> {
     let mut pivots: Vec<&FittedPivot> = vec![];
-    for pivot in known.iter().filter_map(|(trace, _)| trace.fitted_pivot()) {
+    for pivot in measured.iter().filter_map(|(trace, _)| trace.fitted_pivot()) {
         if !pivots.iter().any(|other| other.is_shared_with(pivot)) {
             pivots.push(pivot);
         }

@@ -49,11 +49,11 @@ pub fn swings(trace: &Trace) -> Result<Swings, CyclesError> {
     let heard = above_noise(trace.values(), &turns);
     let lost = turns.get(heard).map(|&row| trace.times()[row]);
     let turns = without_disturbances(turns[..heard].to_vec(), trace.times());
-    let found = match trace.observable() {
+    let of_trace = match trace.observable() {
         Observable::Angle => of_angles(&calm, &turns),
         Observable::AngularVelocity => of_velocities(&calm, &turns, trace.times()),
     };
-    match (Swings { lost, ..found }) {
+    match (Swings { lost, ..of_trace }) {
         Swings { stretches, rotations, .. }
             if stretches.is_empty() && (rotations > 0 || turns_over(trace)) =>
         {
@@ -187,16 +187,16 @@ fn of_angles(values: &[f64], turns: &[usize]) -> Swings {
     let mut stretches: Vec<Stretch> = vec![];
     let mut last = None;
     for pair in turns.windows(2).filter(|pair| !over(pair)) {
-        let own = centre + whole_turns(f64::midpoint(values[pair[0]], values[pair[1]]));
+        let middle = centre + whole_turns(f64::midpoint(values[pair[0]], values[pair[1]]));
         // At the edges of a gap there are false turns, perhaps on the same side: the centre is not passed between them.
-        if (values[pair[0]] > own) == (values[pair[1]] > own) {
+        if (values[pair[0]] > middle) == (values[pair[1]] > middle) {
             continue;
         }
         match stretches.last_mut() {
-            Some(stretch) if last == Some(pair[0]) && (stretch.centre - own).abs() < 1.0 => {
+            Some(stretch) if last == Some(pair[0]) && (stretch.centre - middle).abs() < 1.0 => {
                 stretch.turns.push(pair[1]);
             }
-            _ => stretches.push(Stretch { turns: pair.to_vec(), centre: own }),
+            _ => stretches.push(Stretch { turns: pair.to_vec(), centre: middle }),
         }
         last = Some(pair[1]);
     }
@@ -208,10 +208,10 @@ fn of_velocities(values: &[f64], turns: &[usize], times: &[f64]) -> Swings {
     let apart = |pair: &[usize]| values[pair[0]] * values[pair[1]] < 0.0;
     let (mut stretches, mut rotations): (Vec<Stretch>, usize) = (vec![], 0);
     let mut last = None;
-    for (place, pair) in turns.windows(2).enumerate() {
+    for (index, pair) in turns.windows(2).enumerate() {
         if !apart(pair) || furthest_way(values, times, pair) >= TAU {
             // A trace may begin and end at rest, which is not a rotation.
-            rotations += usize::from(place > 0 && place + 2 < turns.len());
+            rotations += usize::from(index > 0 && index + 2 < turns.len());
             continue;
         }
         match stretches.last_mut() {

@@ -60,7 +60,7 @@ impl OrderedPassages {
     /// Computes the amplitudes of all passages by their speeds, with the T0 that is consistent with them.
     pub(super) fn amplitudes(&self, width: f64, watch: &Watch<'_>) -> Amplitudes {
         let passages = self.placed.len();
-        let mut found = Amplitudes {
+        let mut amplitudes = Amplitudes {
             of_passages: vec![None; passages],
             smooth: vec![None; passages],
             from_bottom: self.first_from_bottom(),
@@ -70,18 +70,18 @@ impl OrderedPassages {
             width,
         };
         let mut at_middles: Vec<f64> =
-            self.cycles.iter().map(|&cycle| found.from_bottom[cycle + 1]).collect();
+            self.cycles.iter().map(|&cycle| amplitudes.from_bottom[cycle + 1]).collect();
         for round in 0..ROUNDS {
             if round > 0 {
-                at_middles = self.cycles.iter().map(|&cycle| self.at_middle(cycle, &found)).collect();
+                at_middles = self.cycles.iter().map(|&cycle| self.at_middle(cycle, &amplitudes)).collect();
             }
-            found.t0 = self.consistent_t0(&found, watch).unwrap_or(found.t0);
-            found.of_passages = self.by_speed(&found, found.t0, watch);
-            self.follow(&mut found);
-            self.place(&mut found, &at_middles);
+            amplitudes.t0 = self.consistent_t0(&amplitudes, watch).unwrap_or(amplitudes.t0);
+            amplitudes.of_passages = self.by_speed(&amplitudes, amplitudes.t0, watch);
+            self.follow(&mut amplitudes);
+            self.set_gate(&mut amplitudes, &at_middles);
         }
-        found.of_passages = self.by_speed(&found, found.t0, watch);
-        found
+        amplitudes.of_passages = self.by_speed(&amplitudes, amplitudes.t0, watch);
+        amplitudes
     }
 
     /// Times from the bottom by the unevenness of the passages, at those in no middle of a cycle by the nearest that is.
@@ -97,19 +97,19 @@ impl OrderedPassages {
 
     /// The time from the bottom at the middle passage of a cycle: half of its unevenness, without that by the fall of the amplitude from the first
     /// half swing to the second and without the change of the times from the bottom.
-    fn at_middle(&self, cycle: usize, found: &Amplitudes) -> f64 {
-        let [before, middle, after] = [0, 1, 2].map(|step| found.from_bottom[cycle + step]);
+    fn at_middle(&self, cycle: usize, amplitudes: &Amplitudes) -> f64 {
+        let [before, middle, after] = [0, 1, 2].map(|step| amplitudes.from_bottom[cycle + step]);
         let predicted = middle - 0.5 * (before + after);
-        let fall = found.ratio_after(cycle).zip(found.ratio_after(cycle + 1));
-        let by_fall = fall.map_or(0.0, |(first, second)| 0.25 * found.t0 * (first - second));
+        let fall = amplitudes.ratio_after(cycle).zip(amplitudes.ratio_after(cycle + 1));
+        let by_fall = fall.map_or(0.0, |(first, second)| 0.25 * amplitudes.t0 * (first - second));
         middle + 0.5 * (self.unevenness(cycle) - by_fall - predicted)
     }
 
     /// T0 by the periods and the amplitudes that it gives them: with a larger one the amplitudes are larger and the T0 by the periods is smaller.
-    fn consistent_t0(&self, found: &Amplitudes, watch: &Watch<'_>) -> Option<f64> {
+    fn consistent_t0(&self, amplitudes: &Amplitudes, watch: &Watch<'_>) -> Option<f64> {
         let longest = self.cycles.iter().map(|&cycle| self.period(cycle)).fold(0.0, f64::max);
         let excess = |t0: f64| {
-            let of_passages = self.by_speed(found, t0, watch);
+            let of_passages = self.by_speed(amplitudes, t0, watch);
             let half = |passage: usize| Some(0.5 * (of_passages[passage]? + of_passages[passage + 1]?));
             let said = self.cycles.iter().map(|&cycle| {
                 let amplitude = half(cycle).zip(half(cycle + 1)).map(|(one, other)| 0.5 * (one + other));
@@ -123,15 +123,15 @@ impl OrderedPassages {
     }
 
     /// The amplitudes by the speeds of all passages of cycles, with this T0.
-    fn by_speed(&self, found: &Amplitudes, t0: f64, watch: &Watch<'_>) -> Vec<Option<f64>> {
+    fn by_speed(&self, amplitudes: &Amplitudes, t0: f64, watch: &Watch<'_>) -> Vec<Option<f64>> {
         let mut of_passages = vec![None; self.placed.len()];
         let mut next = 0;
         for &cycle in self.cycles.iter().take_while(|_| watch.go_on().is_ok()) {
             (next.max(cycle)..cycle + 3).for_each(|passage| {
-                let motion = NearBottom { omega0: TAU / t0, drag: found.drag[passage] };
-                of_passages[passage] = self
-                    .blocked(passage)
-                    .and_then(|blocked| motion.amplitude(found.width, blocked, found.from_bottom[passage]));
+                let motion = NearBottom { omega0: TAU / t0, drag: amplitudes.drag[passage] };
+                of_passages[passage] = self.blocked(passage).and_then(|blocked| {
+                    motion.amplitude(amplitudes.width, blocked, amplitudes.from_bottom[passage])
+                });
             });
             next = cycle + 3;
         }
@@ -140,44 +140,46 @@ impl OrderedPassages {
 
     /// Smooths the amplitudes by a line through the logarithms of sin(A/2) of the neighbours, and derives the drag: the loss of energy is
     /// proportional to the square of the velocity, as for linear damping.
-    fn follow(&self, found: &mut Amplitudes) {
+    fn follow(&self, amplitudes: &mut Amplitudes) {
         /// Neighbours on either side: if the amplitude falls by the same fraction at each passage the logarithms are on a line. From 2 rad under
         /// 0.1/s any number from 3 to 15 gives the same T0 to 2e-7 s and the same β to 1.2e-5.
         const NEIGHBOURS: usize = 7;
-        let bottom = |passage: usize| self.time(passage) - found.from_bottom[passage];
+        let bottom = |passage: usize| self.time(passage) - amplitudes.from_bottom[passage];
         let course = |passage: usize| {
             let near = passage.saturating_sub(NEIGHBOURS)..self.placed.len().min(passage + NEIGHBOURS + 1);
-            let point = |k: usize| Some((bottom(k), libm::log(libm::sin(0.5 * found.of_passages[k]?))));
+            let point = |k: usize| Some((bottom(k), libm::log(libm::sin(0.5 * amplitudes.of_passages[k]?))));
             let (times, logarithms): (Vec<f64>, Vec<f64>) = near.filter_map(point).unzip();
             let [value, slope] = value_and_slope(&times, &logarithms, bottom(passage))?;
             let amplitude = 2.0 * libm::asin(libm::exp(value.min(0.0)));
             Some((amplitude, -slope / mean_squared_velocity(amplitude)?))
         };
         let courses: Vec<Option<(f64, f64)>> = (0..self.placed.len()).map(course).collect();
-        found.smooth = courses.iter().map(|course| Some(course.as_ref()?.0)).collect();
-        found.drag = courses.iter().map(|course| course.map_or(0.0, |(_, drag)| drag)).collect();
+        amplitudes.smooth = courses.iter().map(|course| Some(course.as_ref()?.0)).collect();
+        amplitudes.drag = courses.iter().map(|course| course.map_or(0.0, |(_, drag)| drag)).collect();
     }
 
     /// Sets the position of the gate to the median of its angles at the middle passages of cycles, at these times after the bottom, and computes
     /// the times at all passages.
-    fn place(&self, found: &mut Amplitudes, at_middles: &[f64]) {
+    fn set_gate(&self, amplitudes: &mut Amplitudes, at_middles: &[f64]) {
         let angle = |(&cycle, &time): (&usize, &f64)| {
             let (passage, blocked) = (cycle + 1, self.blocked(cycle + 1)?);
-            let amplitude = found.smooth[passage]?;
-            let edges =
-                [-0.5, 0.5].map(|part| found.near_bottom(passage).angle_at(amplitude, time + part * blocked));
+            let amplitude = amplitudes.smooth[passage]?;
+            let edges = [-0.5, 0.5]
+                .map(|part| amplitudes.near_bottom(passage).angle_at(amplitude, time + part * blocked));
             Some(0.5 * self.direction(passage) * (edges[0] + edges[1]))
         };
         let Some(gate) = median(self.cycles.iter().zip(at_middles).filter_map(angle).collect()) else {
             return;
         };
         for passage in 0..self.placed.len() {
-            let own = self.direction(passage) * gate;
-            let Some(amplitude) = found.smooth[passage] else { continue };
-            let edges = [-0.5, 0.5]
-                .map(|part| found.near_bottom(passage).time_at(amplitude, own + part * found.width));
+            let position = self.direction(passage) * gate;
+            let Some(amplitude) = amplitudes.smooth[passage] else { continue };
+            let edges = [-0.5, 0.5].map(|part| {
+                amplitudes.near_bottom(passage).time_at(amplitude, position + part * amplitudes.width)
+            });
             if let [Some(begin), Some(end)] = edges {
-                (found.from_bottom[passage], found.blocked[passage]) = (0.5 * (begin + end), end - begin);
+                (amplitudes.from_bottom[passage], amplitudes.blocked[passage]) =
+                    (0.5 * (begin + end), end - begin);
             }
         }
     }

@@ -30,8 +30,8 @@ use libration::quantity::Quantity;
 /// use libration_lab::fit::gates::{GateOptions, fit_gates};
 /// // A period of 2 s, and a gate off the centre.
 /// let times: Vec<f64> = (0..10).flat_map(|k| [2.0 * f64::from(k), 2.0 * f64::from(k) + 1.2]).collect();
-/// let found = fit_gates(&times, None, &GateOptions::default(), &Quiet)?;
-/// assert!((found.mean_period.value - 2.0).abs() < 1e-12 && (found.part_between - 0.6).abs() < 1e-12);
+/// let fit = fit_gates(&times, None, &GateOptions::default(), &Quiet)?;
+/// assert!((fit.mean_period.value - 2.0).abs() < 1e-12 && (fit.part_between - 0.6).abs() < 1e-12);
 /// # Ok::<(), libration_lab::fit::gates::GatesError>(())
 /// ```
 pub fn fit_gates(
@@ -42,9 +42,9 @@ pub fn fit_gates(
 ) -> Result<GatesFit, GatesError> {
     let watch = &Watch::new(progress);
     options.check()?;
-    let found = passages(times, blocked, options.signals)?;
-    let seen = found.passages.len();
-    let sides = sorted(&found.passages).ok_or(GatesError::TooFew { passages: seen })?;
+    let passages = passages(times, blocked, options.signals)?;
+    let seen = passages.passages.len();
+    let sides = sorted(&passages.passages).ok_or(GatesError::TooFew { passages: seen })?;
     let swings = OrderedPassages::new(sides.placed.clone());
     // Of a pendulum nearly every passage begins a whole period; of random passages hardly any does.
     if 2 * sides.placed.len() < seen
@@ -55,7 +55,7 @@ pub fn fit_gates(
     if swings.cycles.len() < 2 {
         return Err(GatesError::TooFew { passages: sides.placed.len() });
     }
-    let fit = swings.fit(&found, &sides, options, watch);
+    let fit = swings.fit(&passages, &sides, options, watch);
     if watch.is_stopped() { Err(Interrupted.into()) } else { Ok(fit) }
 }
 
@@ -76,7 +76,7 @@ impl GateOptions {
 }
 
 impl OrderedPassages {
-    fn fit(&self, found: &Passages, sides: &Sorted, options: &GateOptions, watch: &Watch<'_>) -> GatesFit {
+    fn fit(&self, passages: &Passages, sides: &Sorted, options: &GateOptions, watch: &Watch<'_>) -> GatesFit {
         let periods: Vec<f64> = self.cycles.iter().map(|&cycle| self.period(cycle)).collect();
         let mean = periods.iter().sum::<f64>() / count(periods.len());
         let scatter = periods.iter().map(|period| (period - mean) * (period - mean)).sum::<f64>();
@@ -108,9 +108,9 @@ impl OrderedPassages {
             amplitude: amplitude_of(cycle),
         };
         let mut fit = GatesFit {
-            passages: found.passages.len(),
-            edges: found.edges,
-            unpaired: found.unpaired,
+            passages: passages.passages.len(),
+            edges: passages.edges,
+            unpaired: passages.unpaired,
             double_triggers: sides.spurious,
             missed: sides.missed,
             cycles: self.cycles.iter().map(cycle).collect(),

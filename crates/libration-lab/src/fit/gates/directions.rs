@@ -61,9 +61,9 @@ pub fn sorted(passages: &[Passage]) -> Option<Sorted> {
         usable.map(move |period| follow(passages, first, second, period))
     });
     // The earliest of equally good ones.
-    tried.fold(None, |best: Option<Sorted>, found| match best {
-        Some(best) if best.placed.len() >= found.placed.len() => Some(best),
-        _ => Some(found),
+    tried.fold(None, |best: Option<Sorted>, candidate| match best {
+        Some(best) if best.placed.len() >= candidate.placed.len() => Some(best),
+        _ => Some(candidate),
     })
 }
 
@@ -101,7 +101,7 @@ fn follow(passages: &[Passage], first: usize, second: usize, period: f64) -> Sor
     let start = |index: usize, side| Placed { passage: passages[index], side, turn: 0 };
     let mut last = [start(first, 0), start(second, 1)];
     let mut period = period;
-    let mut found = Sorted { placed: last.to_vec(), spurious: second - 1, missed: 0 };
+    let mut sorted = Sorted { placed: last.to_vec(), spurious: second - 1, missed: 0 };
     for &passage in &passages[second + 1..] {
         let fits = |placed: &Placed| {
             let turns = (passage.time - placed.passage.time) / period;
@@ -112,16 +112,16 @@ fn follow(passages: &[Passage], first: usize, second: usize, period: f64) -> Sor
         };
         let best = last.iter().filter_map(fits).min_by(|a, b| a.2.total_cmp(&b.2));
         let Some((side, whole, _)) = best else {
-            found.spurious += 1;
+            sorted.spurious += 1;
             continue;
         };
         // The period changes slowly with the amplitude.
         period = (passage.time - last[side].passage.time) / whole;
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 1 to 20")]
         let turns = whole as usize;
-        found.missed += turns - 1;
+        sorted.missed += turns - 1;
         last[side] = Placed { passage, side, turn: last[side].turn + turns };
-        found.placed.push(last[side]);
+        sorted.placed.push(last[side]);
     }
-    found
+    sorted
 }

@@ -200,7 +200,7 @@ impl GatesFit {
         };
         let damping = match (damping, self.drag) {
             (PeriodDamping::Unknown, Some(drag)) => PeriodDamping::Observed(drag),
-            (known, _) => known,
+            (given, _) => given,
         };
         let period = MeasuredPeriod {
             model: self.contradiction.as_ref().map(|contradiction| contradiction.uncertainty() / t0.value),

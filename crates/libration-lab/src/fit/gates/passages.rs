@@ -59,7 +59,7 @@ fn bare(times: &[f64]) -> Passages {
 
 /// Pairs the edges of a gate that is blocked, and then free.
 fn paired(times: &[f64], states: &[bool]) -> Passages {
-    let mut found = Passages { passages: vec![], unpaired: 0, edges: true };
+    let mut paired = Passages { passages: vec![], unpaired: 0, edges: true };
     let usual = usual_duration(times, states);
     let mut since = None;
     for (&time, &blocked) in times.iter().zip(states) {
@@ -67,18 +67,18 @@ fn paired(times: &[f64], states: &[bool]) -> Passages {
             (None, true) => since = Some(time),
             // Blocked twice without having been free: an edge seen twice, or one between that is missing.
             (Some(start), true) => {
-                found.unpaired += 1;
+                paired.unpaired += 1;
                 since = Some(if time - start < usual { start } else { time });
             }
             (Some(start), false) => {
-                found.push(start, time);
+                paired.push(start, time);
                 since = None;
             }
-            (None, false) => found.unpaired += 1,
+            (None, false) => paired.unpaired += 1,
         }
     }
-    found.unpaired += usize::from(since.is_some());
-    found
+    paired.unpaired += usize::from(since.is_some());
+    paired
 }
 
 /// The median duration for which the gate is blocked.
@@ -104,21 +104,21 @@ fn by_duration(times: &[f64]) -> Passages {
     let intervals: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let mean = intervals.iter().sum::<f64>() / count(intervals.len().max(1));
     let long = median(intervals.into_iter().filter(|&interval| interval >= mean).collect()).unwrap_or(0.0);
-    let mut found = Passages { passages: vec![], unpaired: 0, edges: true };
+    let mut paired = Passages { passages: vec![], unpaired: 0, edges: true };
     let mut row = 0;
     while row < times.len() {
         match times.get(row + 1) {
             Some(&next) if next - times[row] < 0.5 * long => {
-                found.push(times[row], next);
+                paired.push(times[row], next);
                 row += 2;
             }
             _ => {
-                found.unpaired += 1;
+                paired.unpaired += 1;
                 row += 1;
             }
         }
     }
-    found
+    paired
 }
 
 impl Passages {

@@ -27,7 +27,7 @@ struct Bottom {
 impl OrderedPassages {
     /// Computes the cycles between passages of the bottom.
     pub(super) fn rows_by_speeds(&self, amplitudes: &Amplitudes) -> Option<Vec<CycleRow>> {
-        let blocked = self.scatter(|passage| self.blocked(passage)).map_or(0.0, |found| found.deviation);
+        let blocked = self.scatter(|passage| self.blocked(passage)).map_or(0.0, |scatter| scatter.deviation);
         let bottoms: Vec<Option<Bottom>> =
             (0..self.placed.len()).map(|passage| self.bottom(passage, amplitudes, blocked)).collect();
         let row = |&cycle: &usize| {
@@ -39,7 +39,7 @@ impl OrderedPassages {
 
     /// The passage of the bottom next to one of the gate, with this deviation of the times for which the gate is blocked.
     fn bottom(&self, passage: usize, amplitudes: &Amplitudes, deviation: f64) -> Option<Bottom> {
-        let (own, smooth) = (amplitudes.of_passages[passage]?, amplitudes.smooth[passage]?);
+        let (amplitude, smooth) = (amplitudes.of_passages[passage]?, amplitudes.smooth[passage]?);
         // sin(A/2) goes with one over the time t: A′ = −2 tan(A/2)/t, and the mean of A is too large by half of A″ times the variance.
         let (tangent, part) = (libm::tan(0.5 * smooth), deviation / amplitudes.blocked[passage]);
         let excess = tangent * (2.0 + tangent * tangent) * part * part;
@@ -47,7 +47,7 @@ impl OrderedPassages {
         // A clock without any scatter would give infinite weights.
         let variance = self.timing().map_or(0.0, |timing| timing * timing).max(1e-24);
         let time = self.time(passage) - amplitudes.from_bottom[passage];
-        Some(Bottom { time, variance, amplitude: own - excess, noise, smooth })
+        Some(Bottom { time, variance, amplitude: amplitude - excess, noise, smooth })
     }
 }
 

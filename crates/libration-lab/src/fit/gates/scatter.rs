@@ -26,7 +26,7 @@ impl OrderedPassages {
     pub(super) fn scatter(&self, of: impl Fn(usize) -> Option<f64>) -> Option<PeriodScatter> {
         let orders = || DIFFERENCES.into_iter().map(|weights| (weights, self.differences(weights, &of)));
         let (weights, differences) =
-            orders().find(|(_, found)| found.len() >= ENOUGH).or_else(|| orders().last())?;
+            orders().find(|(_, differences)| differences.len() >= ENOUGH).or_else(|| orders().last())?;
         let (starts, values): (Vec<usize>, Vec<f64>) = differences.into_iter().unzip();
         let deviation = if values.len() < FEWEST_TO_JUDGE {
             root_mean_square(values.iter().copied())
@@ -45,7 +45,7 @@ impl OrderedPassages {
         let time = |passage: usize| Some(self.time(passage));
         let by_edges = || Some(0.5 * self.scatter(|passage| self.blocked(passage))?.deviation);
         let enough = self.differences(DIFFERENCES[0], time).len() >= ENOUGH;
-        let by_times = || self.scatter(time).map(|found| found.deviation);
+        let by_times = || self.scatter(time).map(|scatter| scatter.deviation);
         if enough { by_times() } else { by_edges().or_else(by_times) }
     }
 
@@ -69,9 +69,9 @@ fn inner_product(weights: &[f64], later: usize) -> f64 {
 /// Number of independent squares whose mean has the scatter of that of the squares of these overlapping differences:
 /// n²/Σρ² over all pairs.
 fn independent(starts: &[usize], weights: &[f64]) -> f64 {
-    let own = inner_product(weights, 0);
+    let norm = inner_product(weights, 0);
     let square = |later: usize| {
-        let correlation = inner_product(weights, later) / own;
+        let correlation = inner_product(weights, later) / norm;
         correlation * correlation
     };
     let with_later = |&start: &usize| -> f64 {

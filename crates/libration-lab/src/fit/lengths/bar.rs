@@ -38,10 +38,10 @@ pub(super) fn fit(table: &LengthTable, model: LengthModel) -> Option<LengthFit> 
         LengthModel::BarOffset => trials(table),
         _ => vec![0.0],
     };
-    let mut found: Vec<BarSolution> =
+    let mut solutions: Vec<BarSolution> =
         starts.into_iter().filter_map(|offset| at_minimum(table, model, offset, 0.0)).collect();
-    found.sort_by(|one, other| one.chi2.total_cmp(&other.chi2));
-    let (best, others) = found.split_first()?;
+    solutions.sort_by(|one, other| one.chi2.total_cmp(&other.chi2));
+    let (best, others) = solutions.split_first()?;
     let likely = if table.weighted { None } else { most_likely_ratio(table, model, best) };
     let described = likely.as_ref().unwrap_or(best);
     let fit = described.solution.described_bar(table, model, &described.fitted)?;
@@ -74,9 +74,9 @@ fn most_likely_ratio(table: &LengthTable, model: LengthModel, equal: &BarSolutio
         SHARES.iter().filter_map(|&share| at_minimum(table, model, bar.offset, ratio(share))).collect();
     let views: Vec<OfRatio<'_>> = fits.iter().map(BarSolution::of_ratio).collect();
     let (index, covariance) = most_likely(&views)?;
-    let mut found = fits.swap_remove(index);
-    found.solution.covariance = covariance;
-    Some(found)
+    let mut best = fits.swap_remove(index);
+    best.solution.covariance = covariance;
+    Some(best)
 }
 
 /// The probability that chance improves the fit by as much with a free centre as against one at zero; without uncertainties, when the two laws have
@@ -147,8 +147,8 @@ fn linear(table: &LengthTable, offset: f64) -> Option<[f64; 2]> {
         );
     let values = DVector::from_iterator(rows.len(), rows.iter().map(LengthRow::square));
     let weights: Vec<f64> = rows.iter().map(|row| 1.0 / of_period(table, row)).collect();
-    let found = weighted_least_squares(matrix, values, &weights).ok()?.coefficients;
-    (found[0] > 0.0 && found[1] > 0.0).then(|| [found[0], found[1]])
+    let coefficients = weighted_least_squares(matrix, values, &weights).ok()?.coefficients;
+    (coefficients[0] > 0.0 && coefficients[1] > 0.0).then(|| [coefficients[0], coefficients[1]])
 }
 
 fn sum_of_squares(table: &LengthTable, start: &[f64; 2], offset: f64) -> f64 {

@@ -145,10 +145,10 @@ fn as_weighted(table: &LengthTable, options: &LengthsOptions) -> Result<LengthsF
 /// The laws of a bob on a string: with an offset in any case.
 fn of_strings(table: &LengthTable, options: &LengthsOptions) -> Result<Vec<LengthFit>, FitError> {
     let radius = options.bob_radius();
-    let known = radius.map(model::gyration);
+    let gyration = radius.map(model::gyration);
     let free = LengthModel::OF_STRINGS.into_iter();
     // A κ that is known is not free.
-    let free = free.filter(|model| known.is_none() || *model != LengthModel::OffsetAndGyration);
+    let free = free.filter(|model| gyration.is_none() || *model != LengthModel::OffsetAndGyration);
     let fits = free.map(|model| model::fit(table, model, radius)).collect::<Result<Vec<_>, _>>()?;
     let fits: Vec<LengthFit> = fits.into_iter().flatten().collect();
     let needed = if table.is_weighted() { 2 } else { 3 };
@@ -317,12 +317,12 @@ impl LengthsOptions {
         table: &LengthTable,
         fits: Vec<LengthFit>,
         preferred: LengthModel,
-        own: Option<Vec<Contribution>>,
+        stated: Option<Vec<Contribution>>,
     ) -> Result<LengthsFit, FitError> {
         let best =
             fits.iter().find(|fit| fit.model == preferred).ok_or(FitError::NoConvergence("the line"))?;
-        let own = own.unwrap_or_else(|| vec![slope(best)]);
-        let found = CorrectedLaw { table, options: self, model: preferred }.budget(best)?;
+        let inputs = stated.unwrap_or_else(|| vec![slope(best)]);
+        let budget = CorrectedLaw { table, options: self, model: preferred }.budget(best)?;
         let row = |contribution: &Contribution| match contribution.input {
             BudgetInput::Slope => budget::input_row(
                 contribution,
@@ -331,8 +331,8 @@ impl LengthsOptions {
             ),
             _ => budget::input_row(contribution, "u(g)/g", "of the reversible pendulum".into()),
         };
-        let rows: Vec<BudgetRow> = own.iter().map(row).chain(found.rows).collect();
-        let contributions = [own, found.contributions].concat();
+        let rows: Vec<BudgetRow> = inputs.iter().map(row).chain(budget.rows).collect();
+        let contributions = [inputs, budget.contributions].concat();
         let combined =
             CombinedUncertainty::new(contributions, &[]).map_err(|_| FitError::NoConvergence("the line"))?;
         Ok(LengthsFit {

@@ -178,12 +178,12 @@ pub(super) fn fit(
     }
     let search = LawSearch { table, width };
     let Some(line) = search.without_bob() else { return Ok(None) };
-    let found = match radius {
+    let best = match radius {
         Some(radius) => search.with_bob(line, radius)?,
         None => Some(line),
     };
-    let known = radius.map_or(0.0, gyration);
-    Ok(found.and_then(|(solution, offset)| solution.described(table, model, known, offset)))
+    let gyration = radius.map_or(0.0, gyration);
+    Ok(best.and_then(|(solution, offset)| solution.described(table, model, gyration, offset)))
 }
 
 /// κ of a ball.
@@ -200,14 +200,14 @@ struct LawSearch<'a> {
 impl LawSearch<'_> {
     fn without_bob(&self) -> Option<(Solution, f64)> {
         let first = vec![1.0; self.table.rows.len()];
-        let mut found = (solve(&self.table.rows, self.width, 0.0, 0.0, &first)?, 0.0);
+        let mut current = (solve(&self.table.rows, self.width, 0.0, 0.0, &first)?, 0.0);
         for _ in 0..MOST_ROUNDS {
-            let next = self.renewed(&found.0, 0.0)?;
-            let [last, coefficients] = [&found, &next].map(|it| &it.0.coefficients);
+            let next = self.renewed(&current.0, 0.0)?;
+            let [last, coefficients] = [&current, &next].map(|it| &it.0.coefficients);
             let settled = is_settled(last, coefficients, &next.0.covariance, 1.0);
-            found = next;
+            current = next;
             if settled {
-                return Some(found);
+                return Some(current);
             }
         }
         None
@@ -217,56 +217,62 @@ impl LawSearch<'_> {
     /// that for any bob further down: from there it falls, and there is no solution once the bob reaches the pivot.
     fn with_bob(&self, line: (Solution, f64), radius: f64) -> Result<Option<(Solution, f64)>, FitError> {
         let shortest = self.table.rows.iter().map(|row| row.length).fold(f64::INFINITY, f64::min);
-        let (mut found, mut settled) = (line, false);
+        let (mut last, mut settled) = (line, false);
         for _ in 0..ROUNDS_WITH_BOB {
-            let distance = shortest + found.0.offset();
+            let distance = shortest + last.0.offset();
             if self.width > 1 && distance < radius {
                 return Err(FitError::BobTooLarge { radius, distance });
             }
             if settled {
-                return Ok(Some(found).filter(|found| !self.has_another(&found.0, radius, shortest)));
+                return Ok(Some(last).filter(|accepted| !self.has_another(&accepted.0, radius, shortest)));
             }
-            let before = found.0.offset();
-            let Some(next) = self.renewed(&found.0, gyration(radius)) else { return Ok(None) };
+            let before = last.0.offset();
+            let Some(next) = self.renewed(&last.0, gyration(radius)) else { return Ok(None) };
             settled = (next.0.offset() - before).abs() <= SETTLED * distance;
-            found = next;
+            last = next;
         }
         Ok(None)
     }
 
     /// Returns `true` if an offset between this one and that of a bob that touches the pivot agrees with the bob as well, as below 1.3 radii, where
     /// the period rises more slowly with the length than without a bob.
-    fn has_another(&self, found: &Solution, radius: f64, shortest: f64) -> bool {
+    fn has_another(&self, solution: &Solution, radius: f64, shortest: f64) -> bool {
         let touching = radius - shortest;
-        let next = self.with_offset(found, gyration(radius), touching);
+        let next = self.with_offset(solution, gyration(radius), touching);
         self.width > 1 && next.is_none_or(|(next, _)| next.offset() < touching)
     }
 
     /// Solves with the weights and the offset of another solution.
-    fn renewed(&self, last: &Solution, known: f64) -> Option<(Solution, f64)> {
-        self.with_offset(last, known, last.offset())
+    fn renewed(&self, last: &Solution, gyration: f64) -> Option<(Solution, f64)> {
+        self.with_offset(last, gyration, last.offset())
     }
 
     /// Solves with the weights of another solution.
-    fn with_offset(&self, last: &Solution, known: f64, offset: f64) -> Option<(Solution, f64)> {
+    fn with_offset(&self, last: &Solution, gyration: f64, offset: f64) -> Option<(Solution, f64)> {
         let rows = &self.table.rows;
         let variances = match self.table.weighted {
             true => rows.iter().map(|row| row.variance(last.coefficients[0])).collect(),
             false => last.variances.clone(),
         };
-        Some((solve(rows, self.width, known, offset, &variances)?, offset))
+        Some((solve(rows, self.width, gyration, offset, &variances)?, offset))
     }
 }
 
 /// The columns of a row: the factors of 1/g, δ/g and κ/g.
-fn columns(row: &LengthRow, width: usize, known: f64, offset: f64) -> Vec<f64> {
+fn columns(row: &LengthRow, width: usize, gyration: f64, offset: f64) -> Vec<f64> {
     let whole = row.length + offset;
-    let all = [row.length + known / whole, 1.0, 1.0 / whole];
+    let all = [row.length + gyration / whole, 1.0, 1.0 / whole];
     all[..width].to_vec()
 }
 
-fn solve(rows: &[LengthRow], width: usize, known: f64, offset: f64, variances: &[f64]) -> Option<Solution> {
-    let columns: Vec<Vec<f64>> = rows.iter().map(|row| columns(row, width, known, offset)).collect();
+fn solve(
+    rows: &[LengthRow],
+    width: usize,
+    gyration: f64,
+    offset: f64,
+    variances: &[f64],
+) -> Option<Solution> {
+    let columns: Vec<Vec<f64>> = rows.iter().map(|row| columns(row, width, gyration, offset)).collect();
     let matrix = DMatrix::from_fn(rows.len(), width, |i, j| columns[i][j]);
     let values = DVector::from_fn(rows.len(), |i, _| rows[i].square());
     let weights: Vec<f64> = variances.iter().map(|variance| 1.0 / variance.sqrt()).collect();
@@ -286,18 +292,18 @@ impl Solution {
         &self,
         table: &LengthTable,
         model: LengthModel,
-        known: f64,
+        gyration: f64,
         offset: f64,
     ) -> Option<LengthFit> {
         let width = self.coefficients.len();
         let fitted = |row: &LengthRow| -> f64 {
-            columns(row, width, known, offset).iter().zip(&self.coefficients).map(|(x, c)| x * c).sum()
+            columns(row, width, gyration, offset).iter().zip(&self.coefficients).map(|(x, c)| x * c).sum()
         };
         let fitted: Vec<f64> = table.rows.iter().map(fitted).collect();
-        self.with_estimates(table, model, &fitted, |found, unit| Estimates {
-            offset: (width > 1).then(|| found.quotient(Some(1), unit)),
-            gyration: (width > 2).then(|| found.quotient(Some(2), unit)),
-            correlation: (width > 1).then(|| found.correlation()),
+        self.with_estimates(table, model, &fitted, |solution, unit| Estimates {
+            offset: (width > 1).then(|| solution.quotient(Some(1), unit)),
+            gyration: (width > 2).then(|| solution.quotient(Some(2), unit)),
+            correlation: (width > 1).then(|| solution.correlation()),
         })
     }
 
@@ -308,17 +314,17 @@ impl Solution {
         model: LengthModel,
         fitted: &[f64],
     ) -> Option<LengthFit> {
-        let offset = |found: &Self, unit: f64| Uncertain {
-            value: found.coefficients[2],
-            uncertainty: (unit * found.covariance[(2, 2)]).sqrt(),
+        let offset = |solution: &Self, unit: f64| Uncertain {
+            value: solution.coefficients[2],
+            uncertainty: (unit * solution.covariance[(2, 2)]).sqrt(),
         };
-        let correlation = |found: &Self| {
-            -found.covariance[(0, 2)] / (found.covariance[(0, 0)] * found.covariance[(2, 2)]).sqrt()
+        let correlation = |solution: &Self| {
+            -solution.covariance[(0, 2)] / (solution.covariance[(0, 0)] * solution.covariance[(2, 2)]).sqrt()
         };
-        self.with_estimates(table, model, fitted, |found, unit| Estimates {
-            offset: (model == LengthModel::BarOffset).then(|| offset(found, unit)),
-            gyration: Some(found.quotient(Some(1), unit)),
-            correlation: (model == LengthModel::BarOffset).then(|| correlation(found)),
+        self.with_estimates(table, model, fitted, |solution, unit| Estimates {
+            offset: (model == LengthModel::BarOffset).then(|| offset(solution, unit)),
+            gyration: Some(solution.quotient(Some(1), unit)),
+            correlation: (model == LengthModel::BarOffset).then(|| correlation(solution)),
         })
     }
 
@@ -345,7 +351,7 @@ impl Solution {
         let degrees_of_freedom =
             |readings: &ReadingsOfFit<'_>| readings.degrees_of_freedom(&[1.0], covariance[(0, 0)]);
         let readings_degrees_of_freedom = readings.as_ref().map_or(f64::INFINITY, degrees_of_freedom);
-        let found = Self { covariance, ..self.clone() };
+        let solution = Self { covariance, ..self.clone() };
         let enlargement = scatter.map_or(1.0, Scatter::enlargement);
         // Unit weights: the variance of a row is the scatter about the law.
         let of_row = if table.weighted { 1.0 } else { per_dof? };
@@ -354,17 +360,17 @@ impl Solution {
         let to_seconds = |row: &LengthRow| 2.0 * PI * PI * row.ratio * row.ratio / row.period;
         let deviations =
             self.variances.iter().zip(rows).map(|(v, row)| (v * of_row).sqrt() * to_seconds(row));
-        let estimates = estimates(&found, unit);
+        let estimates = estimates(&solution, unit);
         Some(LengthFit {
             model,
-            g: found.quotient(None, unit),
+            g: solution.quotient(None, unit),
             offset: estimates.offset,
             gyration: estimates.gyration,
             correlation: estimates.correlation,
             chi2: stated,
             dof,
             aicc: aicc(chi2, rows.len(), width, table.weighted),
-            p_value: per_dof.filter(|_| width > 1).map(|per_dof| found.p_value(per_dof, dof)),
+            p_value: per_dof.filter(|_| width > 1).map(|per_dof| solution.p_value(per_dof, dof)),
             other_centre: None,
             residuals: left.iter().zip(rows).map(|(r, row)| r * to_seconds(row)).collect(),
             standard_deviations: deviations.collect(),
@@ -386,20 +392,21 @@ impl Solution {
     fn quotient(&self, of: Option<usize>, unit: f64) -> Uncertain {
         let slope = self.coefficients[0];
         let value = of.map_or(1.0, |k| self.coefficients[k]) / slope;
-        let own = of.map_or(0.0, |k| self.covariance[(k, k)]);
+        let of_coefficient = of.map_or(0.0, |k| self.covariance[(k, k)]);
         let both = of.map_or(0.0, |k| self.covariance[(0, k)]);
-        let variance = (own - 2.0 * value * both + value * value * self.covariance[(0, 0)]) / (slope * slope);
+        let variance =
+            (of_coefficient - 2.0 * value * both + value * value * self.covariance[(0, 0)]) / (slope * slope);
         Uncertain { value, uncertainty: (unit * variance).sqrt() }
     }
 
     /// Correlation coefficient of g = 1/a and δ = c/a.
     fn correlation(&self) -> f64 {
         let (slope, offset) = (self.coefficients[0], self.coefficients[1] / self.coefficients[0]);
-        let [own, both] = [self.covariance[(0, 0)], self.covariance[(0, 1)]];
-        let of_g = own / (slope * slope * slope * slope);
+        let [of_slope, both] = [self.covariance[(0, 0)], self.covariance[(0, 1)]];
+        let of_g = of_slope / (slope * slope * slope * slope);
         let of_offset =
-            (self.covariance[(1, 1)] - 2.0 * offset * both + offset * offset * own) / (slope * slope);
-        let covariance = -(both - offset * own) / (slope * slope * slope);
+            (self.covariance[(1, 1)] - 2.0 * offset * both + offset * offset * of_slope) / (slope * slope);
+        let covariance = -(both - offset * of_slope) / (slope * slope * slope);
         covariance / (of_g * of_offset).sqrt()
     }
 

@@ -33,8 +33,8 @@ pub(super) fn outlying(
         let variance = if table.is_weighted() { variance.max(1.0) } else { variance };
         Some(((whole.sum_of_squares() - without).max(0.0) / variance).sqrt())
     };
-    let found = (0..rows).filter_map(|row| Some((row, deviation(row)?)));
-    let (row, deviation) = found.max_by(|one, other| one.1.total_cmp(&other.1))?;
+    let deviations = (0..rows).filter_map(|row| Some((row, deviation(row)?)));
+    let (row, deviation) = deviations.max_by(|one, other| one.1.total_cmp(&other.1))?;
     if count(rows) * probability_beyond_any(deviation, count(dof)) > CHANCE {
         return None;
     }

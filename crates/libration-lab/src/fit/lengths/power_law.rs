@@ -49,7 +49,7 @@ pub(super) fn power_law(table: &LengthTable) -> Option<PowerLaw> {
     let chi2 = table.weighted.then(|| fit.chi2());
     let enlargement = scatter::enlargement(chi2, dof);
     let unit = if table.weighted { enlargement * enlargement } else { fit.chi2() / count(dof) };
-    let uncertainty = |place: usize| (unit * fit.covariance[(place, place)]).sqrt();
+    let uncertainty = |index: usize| (unit * fit.covariance[(index, index)]).sqrt();
     // The logarithms are of T/2π.
     let factor = std::f64::consts::TAU * libm::exp(fit.coefficients[1]);
     Some(PowerLaw {

@@ -54,9 +54,9 @@ impl LengthTable {
     /// of π or more.
     pub fn new(columns: &LengthColumns<'_>) -> Result<Self, FitError> {
         let expected = columns.lengths.len();
-        let same = |column: &'static str, found: usize| match found == expected {
+        let same = |column: &'static str, length: usize| match length == expected {
             true => Ok(()),
-            false => Err(FitError::LengthMismatch { column, found, expected }),
+            false => Err(FitError::LengthMismatch { column, found: length, expected }),
         };
         same("periods", columns.periods.len())?;
         same("uncertainties of the lengths", columns.length_uncertainties.map_or(expected, <[f64]>::len))?;
@@ -191,15 +191,15 @@ impl LengthRow {
             let hint = "give zero or a positive number of metres";
             return Err(FitError::Uncertainty { row, of: "length", uncertainty: length_uncertainty, hint });
         }
-        let own = columns.period_uncertainties.map_or(0.0, |column| column[index]);
-        if weighted && !usable(own) {
+        let stated = columns.period_uncertainties.map_or(0.0, |column| column[index]);
+        if weighted && !usable(stated) {
             let hint = "give a positive number of seconds in every row, or none in any";
-            return Err(FitError::Uncertainty { row, of: "period", uncertainty: own, hint });
+            return Err(FitError::Uncertainty { row, of: "period", uncertainty: stated, hint });
         }
         let amplitude = columns.amplitudes.get(index).or(columns.amplitudes.first());
         let (ratio, relative) = ratio(amplitude, row)?;
         let amplitude = amplitude.map_or(0.0, |amplitude| amplitude.value.abs());
-        let period_uncertainty = if weighted { libm::hypot(own, period * relative) } else { 0.0 };
+        let period_uncertainty = if weighted { libm::hypot(stated, period * relative) } else { 0.0 };
         Ok(Self { length, period, length_uncertainty, period_uncertainty, ratio, amplitude })
     }
 

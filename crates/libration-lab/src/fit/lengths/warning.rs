@@ -251,7 +251,7 @@ fn other_power(fit: &LengthsFit, table: &LengthTable) -> Option<LengthsWarning> 
 }
 
 fn bend(fit: &LengthFit) -> LengthsWarning {
-    let gyration = fit.gyration.map_or(0.0, |found| found.value);
+    let gyration = fit.gyration.map_or(0.0, |gyration| gyration.value);
     LengthsWarning::Bent { radius: (gyration > 0.0).then(|| radius_of(gyration)) }
 }
 

@@ -22,10 +22,10 @@ pub(super) fn of_frequency(recording: &PlannedRecording, amplitude: &Amplitude, 
     let way = RecordingParts::new(recording, amplitude, duration);
     let weight = recording.rate / (2.0 * recording.angle_noise * recording.angle_noise);
     let (mut information, mut wrong) = (Matrix4::zeros(), Vector4::zeros());
-    for place in way {
-        let square = place.amplitude * place.amplitude * weight * duration / f64::from(PLACES);
-        let by_amplitude = Vector4::new(0.0, 0.0, 1.0, -place.part / 2.0);
-        let by_phase = place.by_phase;
+    for segment in way {
+        let square = segment.amplitude * segment.amplitude * weight * duration / f64::from(PLACES);
+        let by_amplitude = Vector4::new(0.0, 0.0, 1.0, -segment.part / 2.0);
+        let by_phase = segment.by_phase;
         information += square * (by_amplitude * by_amplitude.transpose() + by_phase * by_phase.transpose());
         wrong += square * by_phase[2] * by_phase;
     }

@@ -215,7 +215,7 @@ impl Plan {
     /// The best choice.
     #[must_use]
     pub fn best(&self) -> Option<&PlannedSwings> {
-        self.best.map(|place| &self.choices[place])
+        self.best.map(|index| &self.choices[index])
     }
 
     /// Instructions, as sentences.
@@ -292,12 +292,12 @@ pub fn plan(recording: &PlannedRecording, target: f64, amplitudes: &[Amplitude])
         }
     };
     let choices: Vec<PlannedSwings> = amplitudes.iter().map(choice).collect();
-    let effort = |place: &usize| (choices[*place].swings, choices[*place].amplitude);
+    let effort = |index: &usize| (choices[*index].swings, choices[*index].amplitude);
     let less = |one: &usize, other: &usize| {
         let ((swings, amplitude), (others, larger)) = (effort(one), effort(other));
         swings.cmp(&others).then(amplitude.total_cmp(&larger))
     };
-    let best = (0..choices.len()).filter(|place| choices[*place].swings.is_some()).min_by(less);
+    let best = (0..choices.len()).filter(|index| choices[*index].swings.is_some()).min_by(less);
     Ok(Plan { target, left_for_recording, length_needed, choices, best })
 }
 

@@ -107,11 +107,11 @@ impl ResponseFit {
 pub(super) fn described(
     table: &ResponseTable,
     law: &AllHarmonics,
-    found: &ResponseMinimum,
+    minimum: &ResponseMinimum,
 ) -> Option<ResponseFit> {
-    let (model, parameters) = (law.model(), &found.parameters);
+    let (model, parameters) = (law.model(), &minimum.parameters);
     let dof = table.data() - parameters.len();
-    let chi2 = table.is_weighted().then_some(found.chi2);
+    let chi2 = table.is_weighted().then_some(minimum.chi2);
     let enlargement = scatter::enlargement(chi2, dof);
     let omega = parameters[0].sqrt();
     // The parameters become ω0 instead of its square, and a positive c, which without phases counts by its square.
@@ -119,7 +119,7 @@ pub(super) fn described(
     let part = if table.has_phases() {
         1.0
     } else {
-        part_by_square(damping, enlargement * found.covariance[(1, 1)].sqrt())
+        part_by_square(damping, enlargement * minimum.covariance[(1, 1)].sqrt())
     };
     let scales: Vec<f64> = [0.5 / omega, part * parameters[1].signum()]
         .into_iter()
@@ -127,17 +127,17 @@ pub(super) fn described(
         .take(parameters.len())
         .collect();
     let covariance: DMatrix<f64> = DMatrix::from_fn(parameters.len(), parameters.len(), |i, k| {
-        enlargement * enlargement * scales[i] * found.covariance[(i, k)] * scales[k]
+        enlargement * enlargement * scales[i] * minimum.covariance[(i, k)] * scales[k]
     });
     let uncertain =
-        |place: usize, value: f64| Uncertain { value, uncertainty: covariance[(place, place)].sqrt() };
+        |index: usize, value: f64| Uncertain { value, uncertainty: covariance[(index, index)].sqrt() };
     let data = count(table.data());
     let aicc = match chi2 {
         Some(chi2) => akaike::of_chi_squared(chi2, data, parameters.len()),
         None => {
             // A scatter of the phases is a further unknown.
             let unknown = parameters.len() + 1 + usize::from(table.has_phases());
-            akaike::cost(data, count(unknown)).map(|cost| found.misfit + cost)
+            akaike::cost(data, count(unknown)).map(|cost| minimum.misfit + cost)
         }
     };
     let last = parameters.len() - 1;
@@ -151,19 +151,19 @@ pub(super) fn described(
         covariance: covariance.row_iter().map(|row| row.iter().copied().collect()).collect(),
         chi2,
         dof,
-        amplitude_scatter: found.scatters.unstated(),
+        amplitude_scatter: minimum.scatters.unstated(),
         aicc,
         rows: vec![],
     };
     let asked: Vec<Asked> = table
         .rows
         .iter()
-        .zip(&found.rows)
-        .map(|(row, found)| Asked { frequency: row.frequency, amplitude: found.amplitude })
+        .zip(&minimum.rows)
+        .map(|(row, estimate)| Asked { frequency: row.frequency, amplitude: estimate.amplitude })
         .collect();
     let required = law.required(&asked, &fit.parameters()[..last])?;
-    let rows = table.rows.iter().zip(&found.rows).zip(required);
-    fit.rows = rows.map(|((row, found), required)| answer(&fit, row, found, &required)).collect();
+    let rows = table.rows.iter().zip(&minimum.rows).zip(required);
+    fit.rows = rows.map(|((row, estimate), required)| answer(&fit, row, estimate, &required)).collect();
     Some(fit)
 }
 
@@ -174,15 +174,20 @@ fn part_by_square(value: f64, deviation: f64) -> f64 {
     if value < deviation { above / deviation } else { 1.0 }
 }
 
-fn answer(fit: &ResponseFit, row: &ResponseRow, found: &FoundRow, required: &RequiredDrive) -> FittedAnswer {
-    let sign = found.residuals[0].signum();
+fn answer(
+    fit: &ResponseFit,
+    row: &ResponseRow,
+    estimate: &FoundRow,
+    required: &RequiredDrive,
+) -> FittedAnswer {
+    let sign = estimate.residuals[0].signum();
     FittedAnswer {
-        amplitude: found.amplitude,
-        residual: sign * DVector::from_row_slice(&found.residuals).norm(),
+        amplitude: estimate.amplitude,
+        residual: sign * DVector::from_row_slice(&estimate.residuals).norm(),
         phase: required.drive.argument(),
         stability: required.stability,
-        between_folds: found.slope < -2.0 * FAR * found.bend.abs(),
-        beyond_fold: beyond_fold(fit, row, found, required),
+        between_folds: estimate.slope < -2.0 * FAR * estimate.bend.abs(),
+        beyond_fold: beyond_fold(fit, row, estimate, required),
     }
 }
 
@@ -196,21 +201,21 @@ const NEAR: f64 = 4.0;
 fn beyond_fold(
     fit: &ResponseFit,
     row: &ResponseRow,
-    found: &FoundRow,
+    estimate: &FoundRow,
     required: &RequiredDrive,
 ) -> Option<f64> {
     let parameters = fit.parameters();
     let (drive, coefficients) = parameters.split_last()?;
-    let steps = -found.slope / (2.0 * found.bend);
-    let nearest = required.drive.abs() - drive + 0.5 * found.slope * steps;
-    if !(steps.abs() < NEAR && nearest * found.bend > 0.0) {
+    let steps = -estimate.slope / (2.0 * estimate.bend);
+    let nearest = required.drive.abs() - drive + 0.5 * estimate.slope * steps;
+    if !(steps.abs() < NEAR && nearest * estimate.bend > 0.0) {
         return None;
     }
     let radial = |change| along(required.drive, change);
     let mut gradient: Vec<f64> =
         required.by_coefficients.iter().map(|coefficient| radial(*coefficient)).collect();
     gradient.push(-1.0);
-    let asked = Asked { frequency: row.frequency, amplitude: found.amplitude };
+    let asked = Asked { frequency: row.frequency, amplitude: estimate.amplitude };
     let by_frequency = radial(required.by_frequency(&asked, coefficients));
     let uncertainty = libm::hypot(fit.deviation(&gradient), by_frequency * row.frequency_uncertainty);
     (nearest.abs() > FAR * uncertainty).then(|| (nearest / by_frequency).abs())

@@ -104,11 +104,11 @@ pub fn fit_response(
     progress: &dyn Progress,
 ) -> Result<ResponsesFit, ResponseFitError> {
     let watch = &Watch::new(progress);
-    let found = parallel::map(models, watch, |model, watch| fitted(table, *model, measured, watch));
+    let outcomes = parallel::map(models, watch, |model, watch| fitted(table, *model, measured, watch));
     watch.go_on().map_err(|_| ResponseFitError::Interrupted)?;
     let (mut fits, mut left_out) = (vec![], vec![]);
-    for found in found {
-        match found {
+    for outcome in outcomes {
+        match outcome {
             Ok(fit) => fits.push(fit),
             Err(error) => left_out.push(error),
         }
@@ -136,8 +136,8 @@ fn fitted(
     let (balance, mut near): (_, Vec<ResponseMinimum>) = (OneHarmonic(model), vec![]);
     for start in &of_grid {
         match (Search { table, model, law: &balance, watch }).near(start.clone()) {
-            Ok(found) if near.iter().any(|known| found.is_at(known)) => {}
-            Ok(found) => near.push(found),
+            Ok(minimum) if near.iter().any(|other| minimum.is_at(other)) => {}
+            Ok(minimum) => near.push(minimum),
             Err(ResponseFitError::Interrupted) => return Err(ResponseFitError::Interrupted),
             Err(error) => refusal = error,
         }
@@ -147,8 +147,10 @@ fn fitted(
     for start in starts {
         let law = AllHarmonics::new(model, measured);
         match (Search { table, model, law: &law, watch }).near(start) {
-            Ok(found) if found.settled && best.as_ref().is_none_or(|(misfit, _)| found.misfit < *misfit) => {
-                best = fitted::described(table, &law, &found).map(|fit| (found.misfit, fit)).or(best);
+            Ok(minimum)
+                if minimum.settled && best.as_ref().is_none_or(|(misfit, _)| minimum.misfit < *misfit) =>
+            {
+                best = fitted::described(table, &law, &minimum).map(|fit| (minimum.misfit, fit)).or(best);
             }
             Ok(_) => {}
             Err(ResponseFitError::Interrupted) => return Err(ResponseFitError::Interrupted),
@@ -160,11 +162,11 @@ fn fitted(
 
 /// Index of the preferred fit: of those within [`SUBSTANTIAL`] of the best one those with the fewest parameters, and of these the best.
 fn preferred(fits: &[ResponseFit]) -> usize {
-    let criterion = |place: usize| fits[place].aicc.unwrap_or(f64::INFINITY);
+    let criterion = |index: usize| fits[index].aicc.unwrap_or(f64::INFINITY);
     let least = (0..fits.len()).map(criterion).fold(f64::INFINITY, f64::min);
     let order = |a: &usize, b: &usize| {
-        let parameters = |place: usize| fits[place].covariance.len();
+        let parameters = |index: usize| fits[index].covariance.len();
         parameters(*a).cmp(&parameters(*b)).then_with(|| criterion(*a).total_cmp(&criterion(*b)))
     };
-    (0..fits.len()).filter(|&place| criterion(place) <= least + SUBSTANTIAL).min_by(order).unwrap_or(0)
+    (0..fits.len()).filter(|&index| criterion(index) <= least + SUBSTANTIAL).min_by(order).unwrap_or(0)
 }

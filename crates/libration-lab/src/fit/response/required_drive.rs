@@ -221,32 +221,32 @@ pub(super) fn scaled(coefficients: &[f64], frequency: f64) -> impl Iterator<Item
 impl DriveMethod for AllHarmonics {
     fn required(&self, asked: &[Asked], coefficients: &[f64]) -> Option<Vec<RequiredDrive>> {
         let mut shapes = self.guesses(asked, coefficients)?;
-        let mut found: Vec<Option<RequiredDrive>> = vec![None; asked.len()];
+        let mut drives: Vec<Option<RequiredDrive>> = vec![None; asked.len()];
         for _ in 0..MOST_ROUNDS {
-            let open: Vec<usize> = (0..asked.len()).filter(|&place| found[place].is_none()).collect();
+            let open: Vec<usize> = (0..asked.len()).filter(|&index| drives[index].is_none()).collect();
             if open.is_empty() {
-                let found = found.into_iter().collect::<Option<Vec<RequiredDrive>>>()?;
-                let shapes = asked.iter().zip(&found).map(|(asked, found)| (*asked, found.shape));
+                let complete = drives.into_iter().collect::<Option<Vec<RequiredDrive>>>()?;
+                let shapes = asked.iter().zip(&complete).map(|(asked, drive)| (*asked, drive.shape));
                 self.last.replace(shapes.collect());
-                return Some(found);
+                return Some(complete);
             }
-            let of_open = |all: &[Asked]| open.iter().map(|&place| all[place]).collect::<Vec<_>>();
-            let guesses: Vec<ResponseShape> = open.iter().map(|&place| shapes[place]).collect();
+            let of_open = |all: &[Asked]| open.iter().map(|&index| all[index]).collect::<Vec<_>>();
+            let guesses: Vec<ResponseShape> = open.iter().map(|&index| shapes[index]).collect();
             let ends = self.ends(&of_open(asked), &guesses, coefficients)?;
-            for (place, end) in open.into_iter().zip(ends) {
-                let (linear, change) = self.solved(&end, &asked[place], shapes[place])?;
+            for (index, end) in open.into_iter().zip(ends) {
+                let (linear, change) = self.solved(&end, &asked[index], shapes[index])?;
                 let size = change.amax();
-                let scale = shapes[place].peak.max(shapes[place].cosine.abs()).max(shapes[place].sine.abs());
+                let scale = shapes[index].peak.max(shapes[index].cosine.abs()).max(shapes[index].sine.abs());
                 if size <= CLOSE * scale {
                     let answer = {
-                        let shape = shapes[place].plus(change);
-                        linear.required(&end, &asked[place], shape, coefficients[1])
+                        let shape = shapes[index].plus(change);
+                        linear.required(&end, &asked[index], shape, coefficients[1])
                     };
-                    found[place] = Some(answer);
+                    drives[index] = Some(answer);
                 } else {
                     // Far from the solution a whole step may lead anywhere.
                     let step = (0.5 * scale / size).min(1.0);
-                    shapes[place] = shapes[place].plus(change * step);
+                    shapes[index] = shapes[index].plus(change * step);
                 }
             }
         }
@@ -304,12 +304,12 @@ impl Linear {
 
     /// Derivative of the conditions with respect to a deviation of one copy; `is_peak` for one that begins at another peak.
     fn change(&self, end: &HalfPeriodState, copy: usize, is_peak: bool) -> Vector3<f64> {
-        let own = if is_peak { 1.0 } else { 0.0 };
+        let displacement = if is_peak { 1.0 } else { 0.0 };
         let reached = match self.measured {
-            MeasuredAmplitude::Peak => own,
+            MeasuredAmplitude::Peak => displacement,
             MeasuredAmplitude::Fundamental => along(self.fundamental, end.fundamental(copy)),
         };
-        Vector3::new(end.state[3 * copy] + own, end.velocity(copy), reached)
+        Vector3::new(end.state[3 * copy] + displacement, end.velocity(copy), reached)
     }
 
     /// The drive of a response with this final shape.
@@ -326,19 +326,20 @@ impl Linear {
         let phase = self.fundamental.scaled(1.0 / self.fundamental.abs());
         let inverse = self.inverse.unwrap_or_else(Matrix3::zeros);
         // The change of the drive with a change of the shape, and a further one of the fundamental.
-        let by_shape = |own: Vector3<f64>, beside: Complex| {
-            let of_fundamental: Complex = [(last - 1, own[0]), (last - 3, own[1]), (last - 2, own[2])]
-                .into_iter()
-                .map(|(copy, part)| end.fundamental(copy).scaled(part))
-                .sum();
+        let by_shape = |change: Vector3<f64>, beside: Complex| {
+            let of_fundamental: Complex =
+                [(last - 1, change[0]), (last - 3, change[1]), (last - 2, change[2])]
+                    .into_iter()
+                    .map(|(copy, part)| end.fundamental(copy).scaled(part))
+                    .sum();
             let of_fundamental = of_fundamental + beside;
             let turned = of_fundamental - phase.scaled(along(self.fundamental, of_fundamental));
             let of_phase = turned.scaled(1.0 / self.fundamental.abs());
-            (Complex::new(own[1], own[2]) * phase + force * of_phase).scaled(square)
+            (Complex::new(change[1], change[2]) * phase + force * of_phase).scaled(square)
         };
         let by = |copy: usize, unit: f64| {
-            let own = -(inverse * self.change(end, copy, false));
-            by_shape(own, end.fundamental(copy)).scaled(unit)
+            let change = -(inverse * self.change(end, copy, false));
+            by_shape(change, end.fundamental(copy)).scaled(unit)
         };
         let by_amplitude = by_shape(inverse * Vector3::new(0.0, 0.0, 1.0), Complex::default());
         let mut by_coefficients = vec![by(2, 1.0 / square), by(1, 1.0 / asked.frequency)];

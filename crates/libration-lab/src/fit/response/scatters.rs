@@ -123,9 +123,9 @@ impl Scatters {
         }
         let amplitude = self.amplitude * amplitudes.deviation();
         let law = PhaseLaw::Alike;
-        let size = |(row, found): (&ResponseRow, &FoundRow)| {
+        let size = |(row, estimate): (&ResponseRow, &FoundRow)| {
             let part = self.of_phase(row) / law.factor(row);
-            Some((part * found.residuals.get(1)?, *found.leverages.get(1)?))
+            Some((part * estimate.residuals.get(1)?, *estimate.leverages.get(1)?))
         };
         let phase = Left::of(table.rows.iter().zip(rows).filter_map(size)).deviation();
         Self { law, ..self }.of_sizes(amplitude, phase, table)
@@ -147,12 +147,14 @@ impl Scatters {
     /// The misfit that is minimised where the scatters are unknown: −2 times the logarithm of the likelihood, up to a constant.
     pub(super) fn misfit(&self, table: &ResponseTable, rows: &[FoundRow]) -> f64 {
         let kind = |kind: usize, deviation: &dyn Fn(&ResponseRow, &FoundRow) -> f64| {
-            let data = || table.rows.iter().zip(rows).filter(|(_, found)| found.residuals.len() > kind);
+            let data = || table.rows.iter().zip(rows).filter(|(_, estimate)| estimate.residuals.len() > kind);
             let n = count(data().count());
-            let squares: f64 = data().map(|(_, found)| found.residuals[kind] * found.residuals[kind]).sum();
-            let sizes: f64 = data().map(|(row, found)| 2.0 * libm::log(deviation(row, found))).sum();
+            let squares: f64 =
+                data().map(|(_, estimate)| estimate.residuals[kind] * estimate.residuals[kind]).sum();
+            let sizes: f64 = data().map(|(row, estimate)| 2.0 * libm::log(deviation(row, estimate))).sum();
             if n > 0.0 { sizes + n * libm::log((squares / n).max(f64::MIN_POSITIVE)) } else { 0.0 }
         };
-        kind(0, &|row, found| self.of_amplitude(row, found.amplitude)) + kind(1, &|row, _| self.of_phase(row))
+        kind(0, &|row, estimate| self.of_amplitude(row, estimate.amplitude))
+            + kind(1, &|row, _| self.of_phase(row))
     }
 }

@@ -78,12 +78,12 @@ impl State {
 
     /// The parameters found by another search, with the damping replaced by the root of the standard deviation of its square if that is larger: at
     /// zero damping, amplitudes do not depend on it to first order.
-    pub(super) fn after(found: &ResponseMinimum) -> Self {
-        let mut parameters = DVector::from_row_slice(&found.parameters);
-        let of_square = 2.0 * parameters[1].abs() * found.covariance[(1, 1)].sqrt();
+    pub(super) fn after(minimum: &ResponseMinimum) -> Self {
+        let mut parameters = DVector::from_row_slice(&minimum.parameters);
+        let of_square = 2.0 * parameters[1].abs() * minimum.covariance[(1, 1)].sqrt();
         parameters[1] = parameters[1].max(of_square.sqrt());
-        let amplitudes = found.rows.iter().map(|row| row.amplitude).collect();
-        Self { parameters, amplitudes, scatters: found.scatters }
+        let amplitudes = minimum.rows.iter().map(|row| row.amplitude).collect();
+        Self { parameters, amplitudes, scatters: minimum.scatters }
     }
 }
 
@@ -153,7 +153,7 @@ impl Search<'_> {
         for _ in 0..MOST_ROUNDS {
             self.watch.go_on().map_err(|_| ResponseFitError::Interrupted)?;
             if round.is_settled(&here) {
-                return Ok(self.found(&here, round, true));
+                return Ok(self.to_minimum(&here, round, true));
             }
             let next = self.moved(&here, &round, part);
             match self.round(&next) {
@@ -169,7 +169,7 @@ impl Search<'_> {
                 Err(_) => part = (0.5 * part).max(LEAST_PART),
             }
         }
-        Ok(self.found(&here, round, false))
+        Ok(self.to_minimum(&here, round, false))
     }
 
     /// The state after a fraction of the step of a round.
@@ -210,7 +210,7 @@ impl Search<'_> {
         step
     }
 
-    fn found(&self, here: &State, round: Round, settled: bool) -> ResponseMinimum {
+    fn to_minimum(&self, here: &State, round: Round, settled: bool) -> ResponseMinimum {
         let chi2 = round.residuals.norm_squared();
         let misfit =
             if self.table.is_weighted() { chi2 } else { here.scatters.misfit(self.table, &round.rows) };
@@ -223,11 +223,11 @@ impl Search<'_> {
     fn moves(&self, rows: &[FoundRow], scatters: &Scatters) -> Vec<(f64, f64)> {
         const FARTHEST: f64 = 0.5;
         let bound = self.model.amplitude_bound();
-        let of_row = |(row, found): (&ResponseRow, &FoundRow)| {
+        let of_row = |(row, estimate): (&ResponseRow, &FoundRow)| {
             let measured = row.amplitude;
-            let deviation = scatters.of_amplitude(row, found.amplitude);
+            let deviation = scatters.of_amplitude(row, estimate.amplitude);
             let spread = (6.0 * deviation).min(FARTHEST * measured.min(bound - measured));
-            (found.aim.clamp(measured - spread, measured + spread) - found.amplitude, deviation)
+            (estimate.aim.clamp(measured - spread, measured + spread) - estimate.amplitude, deviation)
         };
         self.table.rows.iter().zip(rows).map(of_row).collect()
     }
@@ -269,16 +269,16 @@ impl Search<'_> {
             self.required(&balance, &shifted.collect::<Vec<f64>>(), parameters)
         };
         let balanced = [shifted(-1.0)?, shifted(0.0)?, shifted(1.0)?];
-        let of_row = |place: usize| {
-            let row = &self.table.rows[place];
-            let part = deviations[place] / steps[place];
-            let slope = row.components(here[place].drive, here[place].by_amplitude.scaled(deviations[place]));
-            let [below, level, above] = balanced.each_ref().map(|all| row.misses(all[place].drive, 0.0));
+        let of_row = |index: usize| {
+            let row = &self.table.rows[index];
+            let part = deviations[index] / steps[index];
+            let slope = row.components(here[index].drive, here[index].by_amplitude.scaled(deviations[index]));
+            let [below, level, above] = balanced.each_ref().map(|all| row.misses(all[index].drive, 0.0));
             let bend = |k: usize| 0.5 * part * part * (above[k] + below[k] - 2.0 * level[k]);
             let bend: Vec<f64> = (0..slope.len()).map(bend).collect();
-            let asked = Asked { frequency: row.frequency, amplitude: amplitudes[place] };
-            let by_frequency = here[place].by_frequency(&asked, self.coefficients(parameters));
-            let drive = here[place].drive;
+            let asked = Asked { frequency: row.frequency, amplitude: amplitudes[index] };
+            let by_frequency = here[index].by_frequency(&asked, self.coefficients(parameters));
+            let drive = here[index].drive;
             let across = Complex::new(-drive.im, drive.re).scaled(scatters.of_phase(row));
             let errors = [
                 slope.clone(),
@@ -287,12 +287,12 @@ impl Search<'_> {
                 row.components(drive, across),
             ];
             let whitening = whitening(&errors, LEAST_DEVIATION * drive.abs())?;
-            let (amplitude, deviation) = (amplitudes[place], deviations[place]);
+            let (amplitude, deviation) = (amplitudes[index], deviations[index]);
             let excess = (row.amplitude - amplitude) / deviation;
             let misses = DVector::from_vec(row.misses(drive, parameters[parameters.len() - 1]))
                 + DVector::from_row_slice(&slope) * excess;
             let by_coefficients =
-                here[place].by_coefficients.iter().map(|coefficient| row.components(drive, *coefficient));
+                here[index].by_coefficients.iter().map(|coefficient| row.components(drive, *coefficient));
             let by_drive = std::iter::once(vec![-1.0, 0.0][..slope.len()].to_vec());
             let columns: Vec<DVector<f64>> = by_coefficients.chain(by_drive).map(DVector::from_vec).collect();
             let (residuals, jacobian) = (&whitening * misses, &whitening * DMatrix::from_columns(&columns));
@@ -304,15 +304,15 @@ impl Search<'_> {
     /// Computes the rows with amplitudes without their errors, by residuals and leverages.
     fn rows(&self, linear: Vec<LinearRow>, mut data: impl Iterator<Item = (f64, f64)>) -> Vec<FoundRow> {
         let of_row = |(row, linear): (&ResponseRow, LinearRow)| {
-            let (own, leverages): (Vec<f64>, Vec<f64>) = data.by_ref().take(linear.slope.len()).unzip();
+            let (residuals, leverages): (Vec<f64>, Vec<f64>) = data.by_ref().take(linear.slope.len()).unzip();
             let slope = &linear.whitening * DVector::from_row_slice(&linear.slope);
-            let excess = slope.dot(&DVector::from_row_slice(&own));
+            let excess = slope.dot(&DVector::from_row_slice(&residuals));
             FoundRow {
                 amplitude: linear.amplitude,
                 aim: row.amplitude - excess * linear.deviation,
                 slope: linear.slope[0],
                 bend: linear.bend[0],
-                residuals: own,
+                residuals,
                 leverages,
             }
         };
@@ -324,8 +324,8 @@ impl Search<'_> {
 fn whitening(errors: &[Vec<f64>], least: f64) -> Option<DMatrix<f64>> {
     let size = errors[0].len();
     let covariance = DMatrix::from_fn(size, size, |i, k| {
-        let own = if i == k { least * least } else { 0.0 };
-        own + errors.iter().map(|error| error[i] * error[k]).sum::<f64>()
+        let variance = if i == k { least * least } else { 0.0 };
+        variance + errors.iter().map(|error| error[i] * error[k]).sum::<f64>()
     });
     let triangle = covariance.cholesky()?.unpack();
     triangle.solve_lower_triangular(&DMatrix::identity(size, size))

@@ -22,8 +22,8 @@ pub fn stability(map: [[f64; 2]; 2], area: f64, tolerance: f64) -> Stability {
         let square = half * half - area;
         if square > 0.0 { half + square.sqrt() } else { area.sqrt() }
     };
-    let [own, upper] = [trace, trace + MARGIN * off].map(largest);
+    let [multiplier, upper] = [trace, trace + MARGIN * off].map(largest);
     let rounding = ROUNDINGS * f64::EPSILON;
-    let both = [(own, upper - own), (area / own, area / own - area / upper)];
+    let both = [(multiplier, upper - multiplier), (area / multiplier, area / multiplier - area / upper)];
     Stability::of(both.map(|(size, error)| (size, error + rounding * size)))
 }

@@ -161,9 +161,9 @@ impl ResponseColumns<'_> {
             ("uncertainties of the amplitudes", self.amplitude_uncertainties),
             ("uncertainties of the phases", self.phase_uncertainties),
         ] {
-            let found = values.map_or(expected, <[f64]>::len);
-            if found != expected {
-                return Err(ResponseFitError::LengthMismatch { column, found, expected });
+            let length = values.map_or(expected, <[f64]>::len);
+            if length != expected {
+                return Err(ResponseFitError::LengthMismatch { column, found: length, expected });
             }
         }
         if self.unstated_errors == AmplitudeErrors::Stated && self.amplitude_uncertainties.is_none() {

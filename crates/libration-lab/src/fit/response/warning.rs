@@ -117,8 +117,8 @@ pub(super) fn warnings(table: &ResponseTable, fit: &ResponsesFit) -> Vec<Respons
 fn is_one_sided(table: &ResponseTable, fit: &ResponseFit) -> bool {
     let (parameters, law) = (fit.parameters(), OneHarmonic(fit.model));
     let coefficients = &parameters[..parameters.len() - 1];
-    let above = |(row, found): (&ResponseRow, &FittedAnswer)| {
-        row.frequency * row.frequency > law.resonance_squared(found.amplitude, coefficients)
+    let above = |(row, answer): (&ResponseRow, &FittedAnswer)| {
+        row.frequency * row.frequency > law.resonance_squared(answer.amplitude, coefficients)
     };
     let rows = || table.rows.iter().zip(&fit.rows).map(above);
     rows().all(|above| above) || rows().all(|above| !above)

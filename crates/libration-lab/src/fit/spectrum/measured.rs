@@ -79,9 +79,9 @@ pub struct Spectrum {
 /// let times: Vec<f64> = (0..600).map(|row| f64::from(row) / 60.0).collect();
 /// let angles = times.iter().map(|&time| motion.state_at(time).angle).collect();
 /// let trace = Trace::new("swing", Observable::Angle, times, angles, None)?;
-/// let found = fit_spectrum(&trace, &SpectrumOptions::default(), &Quiet)?;
-/// assert!((found.amplitude.to_degrees() - 80.0).abs() < 1e-3);
-/// let third = found.harmonics[3];
+/// let spectrum = fit_spectrum(&trace, &SpectrumOptions::default(), &Quiet)?;
+/// assert!((spectrum.amplitude.to_degrees() - 80.0).abs() < 1e-3);
+/// let third = spectrum.harmonics[3];
 /// assert!((third.in_phase.value - third.theory).abs() < 1e-6 && third.theory < -0.01);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -108,16 +108,16 @@ pub fn fit_spectrum(
     let sampled = windows.highest_sampled();
     let highest = options.harmonics.min(sampled).max(1);
     let fits = fits(&windows, highest, watch)?;
-    let mut found = UsableWindows::new(fits, highest).spectrum(trace.observable());
+    let mut spectrum = UsableWindows::new(fits, highest).spectrum(trace.observable());
     let not_sampled = SpectrumRemark::NotSampled { highest: sampled, asked: options.harmonics };
     let left_out =
-        SpectrumRemark::WindowsLeftOut { windows: windows.count - found.windows.len(), of: windows.count };
-    found.remarks.extend((options.harmonics > sampled).then_some(not_sampled));
-    found.remarks.extend((found.windows.len() < windows.count).then_some(left_out));
-    let top = (count(highest) + 1.0).min(count(sampled) + 0.5) * found.frequency;
-    found.weighted = trace.uncertainties().is_some();
-    found.points = tapered(trace, &found.outliers, 1.0 / found.frequency, top, watch)?;
-    Ok(found)
+        SpectrumRemark::WindowsLeftOut { windows: windows.count - spectrum.windows.len(), of: windows.count };
+    spectrum.remarks.extend((options.harmonics > sampled).then_some(not_sampled));
+    spectrum.remarks.extend((spectrum.windows.len() < windows.count).then_some(left_out));
+    let top = (count(highest) + 1.0).min(count(sampled) + 0.5) * spectrum.frequency;
+    spectrum.weighted = trace.uncertainties().is_some();
+    spectrum.points = tapered(trace, &spectrum.outliers, 1.0 / spectrum.frequency, top, watch)?;
+    Ok(spectrum)
 }
 
 /// Number of uncertainties of its amplitude below which a swing is lost in noise: the phase then scatters by a twentieth
@@ -198,14 +198,14 @@ impl UsableWindows {
     }
 
     fn harmonic(&self, fit: &WindowFit, n: usize) -> Harmonic {
-        let (own, first) = (cosine_column(n), cosine_column(1));
+        let (column, first) = (cosine_column(n), cosine_column(1));
         let [noise, of_first] = [self.noise[n], self.noise[1]];
-        let value = fit.coefficient(own);
-        let variance = noise.variance * fit.covariance(own, own);
+        let value = fit.coefficient(column);
+        let variance = noise.variance * fit.covariance(column, column);
         let theory = fit.theory.coefficients[n];
         let slope = fit.theory.slopes[n];
         let with_theory = variance
-            - 2.0 * slope * (noise.variance * of_first.variance).sqrt() * fit.covariance(own, first)
+            - 2.0 * slope * (noise.variance * of_first.variance).sqrt() * fit.covariance(column, first)
             + slope * slope * of_first.variance * fit.covariance(first, first);
         let difference = Uncertain { value: value - theory, uncertainty: with_theory.max(0.0).sqrt() };
         Harmonic {

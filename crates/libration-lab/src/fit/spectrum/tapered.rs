@@ -32,14 +32,14 @@ pub(super) fn tapered(
     let kept: Vec<usize> = (0..rows).filter(|row| outliers.binary_search(row).is_err()).collect();
     let intervals: Vec<f64> = kept.windows(2).map(|pair| all[pair[1]] - all[pair[0]]).collect();
     let longest = MOST_INTERVALS * median(intervals.clone()).unwrap_or(span);
-    let weight = |place: usize| {
-        let row = kept[place];
+    let weight = |index: usize| {
+        let row = kept[index];
         let taper = 0.5 - 0.5 * libm::cos(TAU * (all[row] - all[0]) / span);
         let beside =
-            [place.checked_sub(1), Some(place)].into_iter().flatten().filter_map(|it| intervals.get(it));
+            [index.checked_sub(1), Some(index)].into_iter().flatten().filter_map(|it| intervals.get(it));
         let stands_for = (0.5 * beside.sum::<f64>()).min(longest);
-        let own = trace.uncertainties().map_or(1.0, |column| column[row]);
-        taper * stands_for / (own * own)
+        let uncertainty = trace.uncertainties().map_or(1.0, |column| column[row]);
+        taper * stands_for / (uncertainty * uncertainty)
     };
     let weights: Vec<f64> = (0..kept.len()).map(weight).collect();
     let [times, values] =

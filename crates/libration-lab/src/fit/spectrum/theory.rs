@@ -48,8 +48,8 @@ impl Growth {
         let [less, more] = [-STEP, STEP].map(libm::log1p);
         let [low, high] = [libm::log(below / here) / less, libm::log(above / here) / more];
         let bend = 2.0 * (high - low) / (more - less);
-        let found = Self { power: high - 0.5 * bend * more, bend };
-        if found.power.is_finite() && bend.is_finite() { found } else { Self::by_number(n) }
+        let growth = Self { power: high - 0.5 * bend * more, bend };
+        if growth.power.is_finite() && bend.is_finite() { growth } else { Self::by_number(n) }
     }
 
     /// Relative size of the harmonic for this relative size of the first.

@@ -105,48 +105,58 @@ impl WindowRows<'_> {
     pub(super) fn fit(&self) -> Option<WindowFit> {
         let half = 0.5 * (self.ends[1] - self.ends[0]);
         let middle = 0.5 * (self.ends[1] + self.ends[0]);
-        let places: Vec<f64> = self.times.iter().map(|time| (time - middle) / half).collect();
-        let own: Vec<f64> = match self.uncertainties {
+        let positions: Vec<f64> = self.times.iter().map(|time| (time - middle) / half).collect();
+        let inverses: Vec<f64> = match self.uncertainties {
             Some(column) => column.iter().map(|it| it.recip()).collect(),
-            None => vec![1.0; places.len()],
+            None => vec![1.0; positions.len()],
         };
         let growths = (0..=self.highest).map(Growth::by_number).collect();
         let phase = [0.0, TAU * half / self.period, 0.0, 0.0, 0.0];
         let mut state = PhaseAndShape { phase, shape: [1.0, 0.0, 0.0, 0.0, 0.0], growths };
-        let mut weights = own.clone();
-        let mut settled = self.settle(&places, &weights, half, &mut state)?;
+        let mut weights = inverses.clone();
+        let mut settled = self.settle(&positions, &weights, half, &mut state)?;
         for pass in 0..PASSES {
-            let residuals = settled.residuals(self.values, &places, &own, &state);
+            let residuals = settled.residuals(self.values, &positions, &inverses, &state);
             let Some(scale) = robust_deviation(&residuals).filter(|scale| *scale > 0.0) else { break };
-            let renewed: Vec<f64> = own
+            let renewed: Vec<f64> = inverses
                 .iter()
                 .zip(&residuals)
-                .map(|(own, residual)| own * weight(residual.abs() / scale, pass))
+                .map(|(inverse, residual)| inverse * weight(residual.abs() / scale, pass))
                 .collect();
             if renewed == weights {
                 break;
             }
             weights = renewed;
-            settled = self.settle(&places, &weights, half, &mut state)?;
+            settled = self.settle(&positions, &weights, half, &mut state)?;
         }
         let Settled { fit, design, theory } = settled;
         let is_outlier = |row: &usize| weights[*row] == 0.0;
         let outliers = (0..weights.len()).filter(is_outlier).map(|row| self.first + row).collect();
-        Some(WindowFit { phase: state.phase, middle, half, fit, design, places, weights, outliers, theory })
+        Some(WindowFit {
+            phase: state.phase,
+            middle,
+            half,
+            fit,
+            design,
+            places: positions,
+            weights,
+            outliers,
+            theory,
+        })
     }
 
     /// Corrects the phase until sin φ has no part.
     fn settle(
         &self,
-        places: &[f64],
+        positions: &[f64],
         weights: &[f64],
         half: f64,
         state: &mut PhaseAndShape,
     ) -> Option<Settled> {
         let values = weights.iter().zip(self.values).map(|(weight, value)| weight * value);
-        let values = DVector::from_iterator(places.len(), values);
+        let values = DVector::from_iterator(positions.len(), values);
         for _ in 0..CORRECTIONS {
-            let matrix = state.matrix(places, weights, self.highest);
+            let matrix = state.matrix(positions, weights, self.highest);
             let design = Design::new(&matrix, ROUNDING).ok()?;
             let fit = design.solve(&values).ok()?;
             let [cosine, sine] =
@@ -189,18 +199,29 @@ struct Settled {
 
 impl Settled {
     /// Residuals of all rows, in units of their own uncertainties.
-    fn residuals(&self, values: &[f64], places: &[f64], own: &[f64], state: &PhaseAndShape) -> Vec<f64> {
+    fn residuals(
+        &self,
+        values: &[f64],
+        positions: &[f64],
+        inverses: &[f64],
+        state: &PhaseAndShape,
+    ) -> Vec<f64> {
         let highest = (self.fit.coefficients.len() - OTHERS) / 2 + 1;
-        let fitted = state.matrix(places, own, highest) * &self.fit.coefficients;
-        values.iter().zip(own).zip(fitted.iter()).map(|((value, own), fitted)| value * own - fitted).collect()
+        let fitted = state.matrix(positions, inverses, highest) * &self.fit.coefficients;
+        values
+            .iter()
+            .zip(inverses)
+            .zip(fitted.iter())
+            .map(|((value, inverse), fitted)| value * inverse - fitted)
+            .collect()
     }
 }
 
 impl PhaseAndShape {
     /// The columns at these positions, each row times its weight.
-    fn matrix(&self, places: &[f64], weights: &[f64], highest: usize) -> DMatrix<f64> {
-        let mut matrix = DMatrix::zeros(places.len(), columns(highest));
-        for (row, (&x, &weight)) in places.iter().zip(weights).enumerate() {
+    fn matrix(&self, positions: &[f64], weights: &[f64], highest: usize) -> DMatrix<f64> {
+        let mut matrix = DMatrix::zeros(positions.len(), columns(highest));
+        for (row, (&x, &weight)) in positions.iter().zip(weights).enumerate() {
             let mut put = |column: usize, value: f64| matrix[(row, column)] = weight * value;
             let phase = polynomial(&self.phase, x);
             let shape = polynomial(&self.shape, x).max(0.0);

@@ -27,8 +27,8 @@ pub(super) struct Windows<'a> {
 
 impl<'a> Windows<'a> {
     /// Divides a trace into windows of about this number of swings.
-    pub(super) fn new(trace: &'a Trace, found: &Cycles, swings_each: usize) -> Self {
-        let kept = found.cycles.iter().filter(|cycle| !cycle.outlier);
+    pub(super) fn new(trace: &'a Trace, measured: &Cycles, swings_each: usize) -> Self {
+        let kept = measured.cycles.iter().filter(|cycle| !cycle.outlier);
         let cycles: Vec<(f64, f64)> = kept.map(|cycle| (cycle.time, cycle.period.value)).collect();
         let period = median(cycles.iter().map(|cycle| cycle.1).collect()).unwrap_or(f64::INFINITY);
         let swings = span(trace) / period;
@@ -54,8 +54,8 @@ impl<'a> Windows<'a> {
         let first = times.partition_point(|&time| time < ends[0]);
         let is_last = number + 1 == self.count;
         let end = if is_last { times.len() } else { times.partition_point(|&time| time < ends[1]) };
-        let (within, own) = self.cycles_between(ends);
-        let period = median(own)?;
+        let (within, periods) = self.cycles_between(ends);
+        let period = median(periods)?;
         let rows = first..end;
         let needed = ROWS_PER_COEFFICIENT * count(columns(highest));
         // A cycle begins with each passage, upwards and downwards: there are about twice as many less three.

@@ -58,14 +58,15 @@ pub fn fit_swings(
     }
     let pendulum = FittedPendulum::Length(Uncertain::default());
     let (contradiction, warnings, advice) = (None, vec![], vec![]);
-    let mut found = SwingsFit { fit, comparison, cycles, beta, contradiction, pendulum, warnings, advice };
-    found.contradiction = found.contradicting(traces);
-    let model = found
+    let mut analysis = SwingsFit { fit, comparison, cycles, beta, contradiction, pendulum, warnings, advice };
+    analysis.contradiction = analysis.contradicting(traces);
+    let model = analysis
         .contradiction
         .as_ref()
         .map(|contradiction| contradiction.uncertainty() / contradiction.values[0]);
-    found.pendulum = pendulum_of(&found.fit, found.period_of_runs(), model, &found.cycles, options)?;
-    found.warnings = doubts::warnings(&found, traces);
-    found.advice = improvements::advice(&found, traces, options.angle_scale);
-    Ok(found)
+    analysis.pendulum =
+        pendulum_of(&analysis.fit, analysis.period_of_runs(), model, &analysis.cycles, options)?;
+    analysis.warnings = doubts::warnings(&analysis, traces);
+    analysis.advice = improvements::advice(&analysis, traces, options.angle_scale);
+    Ok(analysis)
 }

@@ -11,52 +11,52 @@ use crate::fit::trace::{Comparison, DampingKind, TraceFit};
 use crate::measurement::{FittedPivot, Trace};
 
 /// The warnings, the gravest first.
-pub(super) fn warnings(found: &SwingsFit, traces: &[Trace]) -> Vec<Warning> {
-    let fit = &found.fit;
-    let budget: Vec<BudgetWarning> = match &found.pendulum {
+pub(super) fn warnings(analysis: &SwingsFit, traces: &[Trace]) -> Vec<Warning> {
+    let fit = &analysis.fit;
+    let budget: Vec<BudgetWarning> = match &analysis.pendulum {
         FittedPendulum::Gravity { budget, .. } => budget.warnings(),
         FittedPendulum::Length(_) => vec![],
     };
     let mut warnings: Vec<Warning> = (!fit.converged).then_some(Warning::NotConverged).into_iter().collect();
-    warnings.extend(mistaken_unit(found));
-    warnings.extend(refuted(found));
+    warnings.extend(mistaken_unit(analysis));
+    warnings.extend(refuted(analysis));
     warnings.extend(pivot(traces));
     warnings.extend(budget.into_iter().map(Warning::Budget));
-    warnings.extend(found.is_poor().then(|| Warning::PoorFit { part: fit.unexplained.sqrt() }));
+    warnings.extend(analysis.is_poor().then(|| Warning::PoorFit { part: fit.unexplained.sqrt() }));
     warnings.extend((!fit.dissipates()).then_some(Warning::FeedsEnergy { damping: fit.damping }));
     warnings.extend(negative_damping(fit));
-    warnings.extend(found.comparison.iter().flat_map(better_models));
-    warnings.extend(rivals(found));
+    warnings.extend(analysis.comparison.iter().flat_map(better_models));
+    warnings.extend(rivals(analysis));
     warnings.extend(residuals(fit));
     warnings.extend(stated_uncertainties(fit));
-    warnings.extend(strong_damping(found));
-    warnings.extend(beta(found));
-    warnings.extend(periods(found));
-    warnings.extend(different_pendulums(found, traces));
-    warnings.extend(implausible_length(&found.pendulum));
+    warnings.extend(strong_damping(analysis));
+    warnings.extend(beta(analysis));
+    warnings.extend(periods(analysis));
+    warnings.extend(different_pendulums(analysis, traces));
+    warnings.extend(implausible_length(&analysis.pendulum));
     warnings.extend(outliers(fit));
-    warnings.extend(cycles(found, traces));
+    warnings.extend(cycles(analysis, traces));
     warnings
 }
 
-fn mistaken_unit(found: &SwingsFit) -> Option<Warning> {
-    let beta = found.beta.as_ref().ok()?.factor.value;
-    Some(match found.mistaken_unit()? {
+fn mistaken_unit(analysis: &SwingsFit) -> Option<Warning> {
+    let beta = analysis.beta.as_ref().ok()?.factor.value;
+    Some(match analysis.mistaken_unit()? {
         MistakenUnit::Radians => Warning::AnglesAreRadians { beta },
         MistakenUnit::Degrees => Warning::AnglesAreDegrees { beta },
     })
 }
 
 /// Warns of a refuted model, where a strong damping does not explain the contradiction.
-fn refuted(found: &SwingsFit) -> Option<Warning> {
-    found.contradiction.clone().filter(Contradiction::refutes).map(Warning::ModelRefuted)
+fn refuted(analysis: &SwingsFit) -> Option<Warning> {
+    analysis.contradiction.clone().filter(Contradiction::refutes).map(Warning::ModelRefuted)
 }
 
 /// Warns of the first pivot that contradicts the positions.
 fn pivot(traces: &[Trace]) -> Option<Warning> {
     let mut pivots = traces.iter().filter_map(Trace::fitted_pivot);
     let contradicted = |pivot: &FittedPivot| {
-        Some(Warning::PivotContradicted { given: pivot.place, found: pivot.contradicted_by? })
+        Some(Warning::PivotContradicted { given: pivot.position, found: pivot.contradicted_by? })
     };
     pivots.find_map(contradicted)
 }
@@ -77,9 +77,9 @@ fn better_models(comparison: &Comparison) -> Vec<Warning> {
     comparison.better().map(doubt).collect()
 }
 
-fn rivals(found: &SwingsFit) -> Option<Warning> {
-    let rivals = found.rivals();
-    let preferred = found.fit.damping;
+fn rivals(analysis: &SwingsFit) -> Option<Warning> {
+    let rivals = analysis.rivals();
+    let preferred = analysis.fit.damping;
     (!rivals.is_empty()).then_some(Warning::DampingNotSeparated { preferred, rivals })
 }
 
@@ -98,36 +98,36 @@ fn stated_uncertainties(fit: &TraceFit) -> Option<Warning> {
     (!AS_STATED.contains(&ratio)).then_some(Warning::StatedUncertainties { ratio })
 }
 
-fn strong_damping(found: &SwingsFit) -> Option<Warning> {
-    let fall = found.strong_damping()?;
-    let beta = found.beta.as_ref().is_ok_and(|beta| beta.differs_from_one());
-    (beta || found.other_period().is_some()).then_some(Warning::StrongDamping { fall })
+fn strong_damping(analysis: &SwingsFit) -> Option<Warning> {
+    let fall = analysis.strong_damping()?;
+    let beta = analysis.beta.as_ref().is_ok_and(|beta| beta.differs_from_one());
+    (beta || analysis.other_period().is_some()).then_some(Warning::StrongDamping { fall })
 }
 
-fn beta(found: &SwingsFit) -> Option<Warning> {
-    let beta = found.doubtful_beta()?;
+fn beta(analysis: &SwingsFit) -> Option<Warning> {
+    let beta = analysis.doubtful_beta()?;
     let (deviation, scale_error) = (beta.deviation(), beta.scale_error());
-    Some(Warning::BetaNotOne { deviation, scale_error, amplitudes: found.amplitudes()? })
+    Some(Warning::BetaNotOne { deviation, scale_error, amplitudes: analysis.amplitudes()? })
 }
 
-fn periods(found: &SwingsFit) -> Option<Warning> {
-    let is_meant = !found.scale_is_fitted() && found.strong_damping().is_none();
-    let (by_cycles, deviation) = found.other_period().filter(|_| is_meant)?;
-    let by_motion = found.fit.small_angle_period().value;
+fn periods(analysis: &SwingsFit) -> Option<Warning> {
+    let is_meant = !analysis.scale_is_fitted() && analysis.strong_damping().is_none();
+    let (by_cycles, deviation) = analysis.other_period().filter(|_| is_meant)?;
+    let by_motion = analysis.fit.small_angle_period().value;
     Some(Warning::PeriodsDisagree { by_cycles, by_motion, deviation })
 }
 
 /// Warns of traces that are fitted as those of one pendulum but belong to several.
-fn different_pendulums(found: &SwingsFit, traces: &[Trace]) -> Option<Warning> {
+fn different_pendulums(analysis: &SwingsFit, traces: &[Trace]) -> Option<Warning> {
     /// Relative difference of T0, for the reason in [`Warning::DifferentPendulums`].
     const APART: f64 = 0.01;
-    let known: Vec<(&Trace, &Cycles)> = traces
+    let measured: Vec<(&Trace, &Cycles)> = traces
         .iter()
-        .zip(&found.cycles)
+        .zip(&analysis.cycles)
         .filter_map(|(trace, cycles)| Some((trace, cycles.as_ref().ok()?)))
         .collect();
-    let (one, short) = known.iter().min_by(|a, b| a.1.t0.value.total_cmp(&b.1.t0.value))?;
-    let (other, long) = known.iter().max_by(|a, b| a.1.t0.value.total_cmp(&b.1.t0.value))?;
+    let (one, short) = measured.iter().min_by(|a, b| a.1.t0.value.total_cmp(&b.1.t0.value))?;
+    let (other, long) = measured.iter().max_by(|a, b| a.1.t0.value.total_cmp(&b.1.t0.value))?;
     let difference = long.t0.value - short.t0.value;
     let errors = [short, long].map(|it| (it.t0.uncertainty, it.t0_degrees_of_freedom));
     let limit = limit_of_chance(SIGNIFICANT, combined_degrees_of_freedom(&errors));
@@ -150,7 +150,7 @@ fn outliers(fit: &TraceFit) -> Option<Warning> {
     (rows > 0).then_some(Warning::Outliers { rows })
 }
 
-fn cycles(found: &SwingsFit, traces: &[Trace]) -> Vec<Warning> {
+fn cycles(analysis: &SwingsFit, traces: &[Trace]) -> Vec<Warning> {
     let several = traces.len() > 1;
     let name = |trace: &Trace| several.then(|| trace.name().to_owned());
     let of_trace = |(trace, cycles): (&Trace, &Result<Cycles, CyclesError>)| match cycles {
@@ -160,5 +160,5 @@ fn cycles(found: &SwingsFit, traces: &[Trace]) -> Vec<Warning> {
         }
         Err(error) => vec![Warning::NoCycles { trace: name(trace), error: error.clone() }],
     };
-    traces.iter().zip(&found.cycles).flat_map(of_trace).collect::<Vec<_>>()
+    traces.iter().zip(&analysis.cycles).flat_map(of_trace).collect::<Vec<_>>()
 }

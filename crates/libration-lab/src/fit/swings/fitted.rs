@@ -100,7 +100,7 @@ impl SwingsFit {
         let pairs = runs
             .iter()
             .enumerate()
-            .flat_map(|(place, run)| runs[..place].iter().map(move |other| [other, run]));
+            .flat_map(|(index, run)| runs[..index].iter().map(move |other| [other, run]));
         Contradiction::largest(
             of_beta.chain(with_whole).chain(pairs.filter_map(Contradiction::of_independent)),
         )
@@ -121,8 +121,8 @@ impl SwingsFit {
     /// All cycles that were measured, with the index of their trace.
     pub fn all_cycles(&self) -> impl Iterator<Item = (usize, &Cycle)> {
         let measured =
-            self.cycles.iter().enumerate().filter_map(|(trace, found)| Some((trace, found.as_ref().ok()?)));
-        measured.flat_map(|(trace, found)| found.cycles.iter().map(move |cycle| (trace, cycle)))
+            self.cycles.iter().enumerate().filter_map(|(trace, cycles)| Some((trace, cycles.as_ref().ok()?)));
+        measured.flat_map(|(trace, cycles)| cycles.cycles.iter().map(move |cycle| (trace, cycle)))
     }
 
     /// The largest and the smallest amplitude of a cycle, in radians.
@@ -141,7 +141,7 @@ impl SwingsFit {
     /// Relative fall of the amplitude in a cycle, where T/T0 differs most from 1: the mean with the weights R − 1.
     #[must_use]
     pub fn fall_in_a_cycle(&self) -> Option<f64> {
-        let all = self.cycles.iter().flatten().map(|found| &found.cycles);
+        let all = self.cycles.iter().flatten().map(|cycles| &cycles.cycles);
         // Cycles overlap by half.
         let pairs = all.flat_map(|cycles| cycles.windows(3).map(|three| (three[0], three[2])));
         let (weights, sum) = pairs.fold((0.0, 0.0), |(weights, sum), (earlier, later)| {

@@ -13,10 +13,10 @@
 //! let angles = times.iter().map(|&time| motion.state_at(time).angle).collect();
 //! let trace = Trace::new("exact", Observable::Angle, times, angles, None)?;
 //! let undamped = SwingsOptions { damping: Some("undamped".parse()?), ..SwingsOptions::default() };
-//! let found = fit_swings(&[trace], &undamped, &Quiet)?;
-//! let FittedPendulum::Length(length) = found.pendulum else { return Err("no length was given".into()) };
+//! let analysis = fit_swings(&[trace], &undamped, &Quiet)?;
+//! let FittedPendulum::Length(length) = analysis.pendulum else { return Err("no length was given".into()) };
 //! assert!((length.value - 9.80665 / 16.0).abs() < 1e-6);
-//! assert!(found.advice.contains(&Advice::GiveLength));
+//! assert!(analysis.advice.contains(&Advice::GiveLength));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

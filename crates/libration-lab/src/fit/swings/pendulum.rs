@@ -37,7 +37,7 @@ pub(super) fn pendulum_of(
         return Ok(FittedPendulum::Length(length(t0.with_error(model.unwrap_or(0.0) * t0.value))));
     };
     let ratios =
-        cycles.iter().flatten().flat_map(|found| found.cycles.iter().map(|cycle| cycle.period_ratio));
+        cycles.iter().flatten().flat_map(|of_trace| of_trace.cycles.iter().map(|cycle| cycle.period_ratio));
     let period = MeasuredPeriod {
         t0: t0.into(),
         model,

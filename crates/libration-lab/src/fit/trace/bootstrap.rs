@@ -64,9 +64,9 @@ pub(super) fn deviations(
 }
 
 /// Fills the slice with random blocks of the series, concatenated.
-fn fill(place: &mut [f64], series: &[f64], block: usize, random: &mut Random) {
+fn fill(sample: &mut [f64], series: &[f64], block: usize, random: &mut Random) {
     let block = block.clamp(1, series.len().max(1));
-    for part in place.chunks_mut(block) {
+    for part in sample.chunks_mut(block) {
         let first = random.below(series.len() - part.len() + 1);
         part.copy_from_slice(&series[first..first + part.len()]);
     }

@@ -95,9 +95,9 @@ impl TraceFit {
     /// ```
     pub fn decay(&self, trace: usize) -> Result<FittedDecay, ContinuationError> {
         let begins = self.begin(trace)?;
-        let mut found = self.motion_parameters(trace).decay()?;
-        found.start += begins;
-        Ok(found)
+        let mut decay = self.motion_parameters(trace).decay()?;
+        decay.start += begins;
+        Ok(decay)
     }
 
     /// The turning points of a trace from that of [`decay`](Self::decay) to a time of its clock, which may be after its end, with the uncertainty
@@ -112,10 +112,10 @@ impl TraceFit {
     ) -> Result<Vec<FittedTurningPoint>, ContinuationError> {
         let begins = self.begin(trace)?;
         let parameters = self.motion_parameters(trace);
-        let found = parameters.turns(until - begins)?;
-        let moved = (0..parameters.places.len()).map(|place| {
-            let step = STEP * self.parameters[parameters.places[place]].estimate.uncertainty;
-            parameters.moved(place, step).turns(until - begins + TAU / parameters.values[0])
+        let turning_points = parameters.turns(until - begins)?;
+        let moved = (0..parameters.places.len()).map(|index| {
+            let step = STEP * self.parameters[parameters.places[index]].estimate.uncertainty;
+            parameters.moved(index, step).turns(until - begins + TAU / parameters.values[0])
         });
         let moved = moved.collect::<Result<Vec<_>, _>>()?;
         let apart = 0.5 * PI / parameters.values[0];
@@ -129,7 +129,7 @@ impl TraceFit {
                 amplitude: Uncertain { value: amplitude, uncertainty: of_amplitude },
             })
         };
-        Ok(found.into_iter().map_while(with_uncertainty).collect())
+        Ok(turning_points.into_iter().map_while(with_uncertainty).collect())
     }
 
     fn begin(&self, trace: usize) -> Result<f64, ContinuationError> {
@@ -138,23 +138,23 @@ impl TraceFit {
     }
 
     /// The standard deviation of a value, from its changes with one standard uncertainty of each parameter.
-    fn deviation(&self, places: &[usize], changes: &[[f64; 2]], of: usize) -> f64 {
+    fn deviation(&self, indices: &[usize], changes: &[[f64; 2]], of: usize) -> f64 {
         let product = |(i, &a): (usize, &usize)| -> f64 {
-            let row = places.iter().zip(changes).map(|(&b, change)| self.correlations[a][b] * change[of]);
+            let row = indices.iter().zip(changes).map(|(&b, change)| self.correlations[a][b] * change[of]);
             changes[i][of] * row.sum::<f64>()
         };
-        places.iter().enumerate().map(product).sum::<f64>().max(0.0).sqrt()
+        indices.iter().enumerate().map(product).sum::<f64>().max(0.0).sqrt()
     }
 
     fn motion_parameters(&self, trace: usize) -> MotionParameters {
         let is_of_motion = |parameter: &Parameter| {
             let is_of_reading = matches!(parameter.kind, ParameterKind::Scale | ParameterKind::Offset);
-            !is_of_reading && parameter.trace.is_none_or(|own| own == trace)
+            !is_of_reading && parameter.trace.is_none_or(|of| of == trace)
         };
         let numbered = self.parameters.iter().enumerate();
         let of_motion = numbered.filter(|(_, parameter)| is_of_motion(parameter));
-        let (places, values) = of_motion.map(|(place, parameter)| (place, parameter.estimate.value)).unzip();
-        MotionParameters { terms: self.damping.iter().collect(), places, values }
+        let (indices, values) = of_motion.map(|(index, parameter)| (index, parameter.estimate.value)).unzip();
+        MotionParameters { terms: self.damping.iter().collect(), places: indices, values }
     }
 }
 
@@ -174,9 +174,9 @@ struct MotionParameters {
 }
 
 impl MotionParameters {
-    fn moved(&self, place: usize, step: f64) -> Self {
+    fn moved(&self, index: usize, step: f64) -> Self {
         let mut values = self.values.clone();
-        values[place] += step;
+        values[index] += step;
         Self { terms: self.terms.clone(), places: self.places.clone(), values }
     }
 
@@ -225,14 +225,14 @@ impl MotionParameters {
     fn turns(&self, until: f64) -> Result<Vec<[f64; 2]>, ContinuationError> {
         let FittedDecay { start, decay } = self.decay()?;
         let pair = |turn: TurningPoint| [start + turn.time, turn.amplitude.radians()];
-        let mut found = vec![];
+        let mut turns = vec![];
         for turn in decay.swings() {
             let turn = pair(turn?);
             if turn[0] > until {
                 break;
             }
-            found.push(turn);
+            turns.push(turn);
         }
-        Ok(found)
+        Ok(turns)
     }
 }

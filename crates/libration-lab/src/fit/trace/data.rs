@@ -55,5 +55,5 @@ impl<'a> Data<'a> {
 fn same_rows(traces: &[Trace]) -> Option<[&Trace; 2]> {
     let same = |one: &Trace, other: &Trace| one.times() == other.times() && one.values() == other.values();
     let pairs = (0..traces.len()).flat_map(|second| (0..second).map(move |first| [first, second]));
-    pairs.map(|pair| pair.map(|place| &traces[place])).find(|[one, other]| same(one, other))
+    pairs.map(|pair| pair.map(|index| &traces[index])).find(|[one, other]| same(one, other))
 }

@@ -145,14 +145,14 @@ impl TraceFit {
         let omega0 = self.parameters[0].estimate.value;
         // ΔE/(2πE) by each coefficient, and its derivatives with respect to the parameters.
         let (mut loss, mut slopes) = (0.0, vec![0.0; self.parameters.len()]);
-        for (place, term) in (1..).zip(self.damping.iter()) {
+        for (index, term) in (1..).zip(self.damping.iter()) {
             let (of_one, coefficient) = (
                 if is_linear { 1.0 } else { quality::loss(term, amplitude) },
-                self.parameters[place].estimate.value,
+                self.parameters[index].estimate.value,
             );
-            slopes[place] = of_one * libm::pow(omega0, term.exponent() - 2.0);
-            loss += coefficient * slopes[place];
-            slopes[0] += (term.exponent() - 2.0) * coefficient * slopes[place] / omega0;
+            slopes[index] = of_one * libm::pow(omega0, term.exponent() - 2.0);
+            loss += coefficient * slopes[index];
+            slopes[0] += (term.exponent() - 2.0) * coefficient * slopes[index] / omega0;
         }
         let value = 1.0 / loss;
         let factor = Uncertain { value, uncertainty: value * value * self.deviation_of(&slopes) };
@@ -218,10 +218,10 @@ impl TraceFit {
 
     /// The speed at the bottom by the energy at the beginning of a trace.
     fn greatest_speed(&self, trace: usize) -> f64 {
-        let own = |kind| {
+        let parameter_of = |kind| {
             self.parameters.iter().find(|parameter| parameter.trace == Some(trace) && parameter.kind == kind)
         };
-        let value = |kind| own(kind).map_or(0.0, |parameter| parameter.estimate.value);
+        let value = |kind| parameter_of(kind).map_or(0.0, |parameter| parameter.estimate.value);
         let height = 2.0 * libm::sin(0.5 * value(ParameterKind::FirstAngle));
         libm::hypot(value(ParameterKind::FirstVelocity), self.parameters[0].estimate.value * height)
     }

@@ -42,7 +42,7 @@ impl Layout {
 
     /// Indices of first angle and first velocity.
     pub(super) fn first_state(&self, trace: usize) -> [usize; 2] {
-        [1, 2].map(|place| self.offset(trace) + place)
+        [1, 2].map(|step| self.offset(trace) + step)
     }
 
     /// The indices of the parameters with respect to which the motion of a trace is differentiated, in the order of [`Seen`](super::swing::Seen).
@@ -61,11 +61,12 @@ impl Layout {
     }
 
     /// Kind, unit and trace of a parameter.
-    pub(super) fn described(&self, place: usize, traces: &[Trace]) -> Parameter {
-        let of_trace = place.checked_sub(self.offset(0)).map(|own| (own / Self::OWN, own % Self::OWN));
-        let term = place.checked_sub(1).and_then(|number| self.terms.iter().nth(number));
+    pub(super) fn described(&self, index: usize, traces: &[Trace]) -> Parameter {
+        let of_trace =
+            index.checked_sub(self.offset(0)).map(|offset| (offset / Self::OWN, offset % Self::OWN));
+        let term = index.checked_sub(1).and_then(|number| self.terms.iter().nth(number));
         let (kind, unit) = match (of_trace, term) {
-            (None, _) if place == Self::OMEGA0 => (ParameterKind::NaturalFrequency, "rad/s"),
+            (None, _) if index == Self::OMEGA0 => (ParameterKind::NaturalFrequency, "rad/s"),
             (None, Some(term)) => (ParameterKind::Damping(term), term.unit()),
             (None, None) => (ParameterKind::Scale, "1"),
             (Some((trace, 0)), _) if traces[trace].observable() == Observable::AngularVelocity => {

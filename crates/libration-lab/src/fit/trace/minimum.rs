@@ -110,15 +110,15 @@ pub fn descent(
 ) -> Result<Descent, TraceFitError> {
     let Start { mut parameters, free, patience, care } = start;
     let omega0 = parameters[Layout::OMEGA0];
-    let varied = DVector::from_iterator(free.len(), free.iter().map(|&place| parameters[place]));
+    let varied = DVector::from_iterator(free.len(), free.iter().map(|&index| parameters[index]));
     let effort = levenberg_marquardt::Effort { tolerance: care.tolerance, patience };
     let mut least = None;
-    let found = levenberg_marquardt::minimum(varied, effort, |values| {
+    let outcome = levenberg_marquardt::minimum(varied, effort, |values| {
         if watch.go_on().is_err() {
             return Err(ResidualsError::Stopped);
         }
-        for (&place, &value) in free.iter().zip(values) {
-            parameters[place] = value;
+        for (&index, &value) in free.iter().zip(values) {
+            parameters[index] = value;
         }
         let rows = model.rows(series, &parameters, &free, &care.effort).ok_or(ResidualsError::OutOfDomain)?;
         let few = ResidualRows::few(&rows, &free);
@@ -128,22 +128,22 @@ pub fn descent(
         }
         Ok(few)
     });
-    let found = found.map_err(|reason| match reason {
+    let minimum = outcome.map_err(|reason| match reason {
         ResidualsError::Stopped => TraceFitError::Interrupted,
         ResidualsError::OutOfDomain => TraceFitError::NoMotion { omega0 },
     })?;
-    for (&place, &value) in free.iter().zip(&found.parameters) {
-        parameters[place] = value;
+    for (&index, &value) in free.iter().zip(&minimum.parameters) {
+        parameters[index] = value;
     }
-    let rows = least.and_then(|(values, _, rows)| (values == found.parameters).then_some(rows));
-    let sum_of_squares = found.linearised.residuals.norm_squared();
+    let rows = least.and_then(|(values, _, rows)| (values == minimum.parameters).then_some(rows));
+    let sum_of_squares = minimum.linearised.residuals.norm_squared();
     let unexplained = sum_of_squares / series::scatter(series);
     let least = |rows: &Vec<ResidualRows>| {
         let parts = rows.iter().zip(series).map(|(rows, series)| series.least_correlation(&rows.residuals()));
         parts.fold(1.0, f64::min)
     };
     let least_correlation = rows.as_ref().map_or(0.0, least);
-    let converged = found.converged;
+    let converged = minimum.converged;
     Ok(Descent { parameters, sum_of_squares, unexplained, least_correlation, converged, rows })
 }
 

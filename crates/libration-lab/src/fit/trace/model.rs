@@ -34,7 +34,7 @@ impl Model {
 
     /// The indices of the parameters that are varied.
     pub fn free(&self) -> Vec<usize> {
-        (0..self.layout.len()).filter(|&place| self.free_scale || place != self.layout.scale()).collect()
+        (0..self.layout.len()).filter(|&index| self.free_scale || index != self.layout.scale()).collect()
     }
 
     /// The rows of each trace at these parameters; `None` where the motion cannot be
@@ -55,7 +55,7 @@ impl Model {
             courses.push(Course {
                 omega0: parameters[Layout::OMEGA0],
                 coefficients: &parameters[layout.coefficients()],
-                start: layout.first_state(number).map(|place| parameters[place]),
+                start: layout.first_state(number).map(|index| parameters[index]),
                 times: &series.times,
                 observable: series.observable,
             });
@@ -78,27 +78,27 @@ impl Model {
         let layout = self.layout;
         let (offset, scale) = (layout.offset(number), layout.scale());
         let of_motion: Vec<usize> = layout.of_motion(number).collect();
-        let is_own = |place: &usize| *place == offset || *place == scale || of_motion.contains(place);
-        let places: Vec<usize> = free.iter().copied().filter(is_own).collect();
-        let mut matrix = DMatrix::zeros(series.times.len(), places.len() + 1);
-        for (&place, mut column) in places.iter().zip(matrix.column_iter_mut()) {
+        let is_own = |index: &usize| *index == offset || *index == scale || of_motion.contains(index);
+        let indices: Vec<usize> = free.iter().copied().filter(is_own).collect();
+        let mut matrix = DMatrix::zeros(series.times.len(), indices.len() + 1);
+        for (&index, mut column) in indices.iter().zip(matrix.column_iter_mut()) {
             let weights = column.iter_mut().zip(series.weights.iter());
-            match of_motion.iter().position(|&other| other == place) {
+            match of_motion.iter().position(|&other| other == index) {
                 Some(derivative) => {
                     for ((x, weight), slope) in weights.zip(&seen.derivatives[derivative]) {
                         *x = parameters[scale] * slope * weight;
                     }
                 }
-                None if place == offset => weights.for_each(|(x, weight)| *x = *weight),
+                None if index == offset => weights.for_each(|(x, weight)| *x = *weight),
                 None => weights.zip(&seen.values).for_each(|((x, weight), value)| *x = value * weight),
             }
         }
-        let residuals = matrix.column_mut(places.len());
+        let residuals = matrix.column_mut(indices.len());
         let observed = series.values.iter().zip(series.weights.iter());
         for ((x, value), (observed, weight)) in residuals.into_iter().zip(&seen.values).zip(observed) {
             *x = (parameters[offset] + parameters[scale] * value - observed) * weight;
         }
-        ResidualRows { places, matrix }
+        ResidualRows { places: indices, matrix }
     }
 }
 
@@ -132,14 +132,14 @@ fn stacked(parts: &[(&[usize], &DMatrix<f64>)], free: &[usize]) -> Linearised {
     let mut residuals = DVector::zeros(total);
     let mut jacobian = DMatrix::zeros(total, free.len());
     let mut first = 0;
-    for (places, matrix) in parts {
+    for (indices, matrix) in parts {
         let rows = matrix.nrows();
-        for (own, place) in places.iter().enumerate() {
-            if let Some(column) = free.iter().position(|other| other == place) {
-                jacobian.column_mut(column).rows_mut(first, rows).copy_from(&matrix.column(own));
+        for (source, index) in indices.iter().enumerate() {
+            if let Some(column) = free.iter().position(|other| other == index) {
+                jacobian.column_mut(column).rows_mut(first, rows).copy_from(&matrix.column(source));
             }
         }
-        residuals.rows_mut(first, rows).copy_from(&matrix.column(places.len()));
+        residuals.rows_mut(first, rows).copy_from(&matrix.column(indices.len()));
         first += rows;
     }
     Linearised { residuals, jacobian }

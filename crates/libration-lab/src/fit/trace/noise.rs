@@ -67,8 +67,8 @@ pub(super) fn effects(traces: &[Trace], problem: &Response) -> Vec<Effect> {
     let all: Vec<Tried> = [white.clone()].into_iter().chain(others).collect();
     let highest = all.iter().map(|tried| tried.likelihood).fold(f64::NEG_INFINITY, f64::max);
     let weights: Vec<f64> = all.iter().map(|tried| libm::exp(tried.likelihood - highest)).collect();
-    let effect = |place: usize| {
-        let logarithms = all.iter().map(|tried| libm::log(tried.variances[place] / white.variances[place]));
+    let effect = |index: usize| {
+        let logarithms = all.iter().map(|tried| libm::log(tried.variances[index] / white.variances[index]));
         mean_effect(&logarithms.collect::<Vec<f64>>(), &weights, degrees)
     };
     (0..response.nrows()).map(effect).collect()
@@ -141,18 +141,18 @@ impl<'a> Rows<'a> {
         let mut parts = vec![];
         let mut first = 0;
         for trace in traces {
-            let depends = |place: &usize| {
-                jacobian.column(*place).rows(first, trace.len()).iter().any(|x| x.abs() > 0.0)
+            let depends = |index: &usize| {
+                jacobian.column(*index).rows(first, trace.len()).iter().any(|x| x.abs() > 0.0)
             };
-            let places: Vec<usize> = (0..parameters).filter(depends).collect();
-            let mut rows = Vec::with_capacity(trace.len() * (places.len() + 1));
+            let indices: Vec<usize> = (0..parameters).filter(depends).collect();
+            let mut rows = Vec::with_capacity(trace.len() * (indices.len() + 1));
             for n in first..first + trace.len() {
                 rows.extend(
-                    places.iter().map(|&place| jacobian[(n, place)] / sizes[place]).chain([residuals[n]]),
+                    indices.iter().map(|&index| jacobian[(n, index)] / sizes[index]).chain([residuals[n]]),
                 );
             }
-            let places = places.iter().copied().chain([parameters]).collect();
-            parts.push(Part { times: trace.times(), first, places, rows });
+            let columns = indices.iter().copied().chain([parameters]).collect();
+            parts.push(Part { times: trace.times(), first, places: columns, rows });
             first += trace.len();
         }
         Self { parts, parameters }
@@ -180,13 +180,13 @@ impl<'a> Rows<'a> {
         for (part, memories) in self.parts.iter().zip(memories) {
             logarithm += part.add_products(white, memories, &mut products);
         }
-        let right = DVector::from_fn(p, |place, _| products[(place, p)]);
+        let right = DVector::from_fn(p, |row, _| products[(row, p)]);
         let normal = Cholesky::new(products.view((0, 0), (p, p)).into_owned())?;
         let determinant: f64 = normal.l_dirty().diagonal().iter().map(|x| 2.0 * libm::log(*x)).sum();
         let left = products[(p, p)] - right.dot(&normal.solve(&right));
         let variance = left / degrees;
         let likelihood = -0.5 * (logarithm + determinant + degrees * libm::log(left));
-        let spread = |[own, shared]: &[f64; 2]| own + 2.0 * (1.0 - white) * shared;
+        let spread = |[square, shared]: &[f64; 2]| square + 2.0 * (1.0 - white) * shared;
         let variances: Vec<f64> = spreads.iter().map(|spreads| variance * spread(spreads)).collect();
         let usable = likelihood.is_finite() && variances.iter().all(|variance| *variance > 0.0);
         usable.then_some(Tried { likelihood, variances })
@@ -198,14 +198,14 @@ impl<'a> Rows<'a> {
         let mut sums = vec![[0.0; 2]; p];
         for (part, memories) in self.parts.iter().zip(memories) {
             let (mut remembered, mut before) = (vec![0.0; p], vec![0.0; p]);
-            for (memory, own) in
+            for (memory, coefficients) in
                 memories.iter().zip(response.columns(part.first, part.times.len()).column_iter())
             {
-                for (place, sum) in sums.iter_mut().enumerate() {
-                    remembered[place] = memory * (remembered[place] + before[place]);
-                    before[place] = own[place];
-                    sum[0] += own[place] * own[place];
-                    sum[1] += own[place] * remembered[place];
+                for (index, sum) in sums.iter_mut().enumerate() {
+                    remembered[index] = memory * (remembered[index] + before[index]);
+                    before[index] = coefficients[index];
+                    sum[0] += coefficients[index] * coefficients[index];
+                    sum[1] += coefficients[index] * remembered[index];
                 }
             }
         }
@@ -240,9 +240,9 @@ impl Part<'_> {
                 *expected += gain * news;
             }
             spread *= 1.0 - gain;
-            for (sums, own) in sums.chunks_exact_mut(width).zip(&made_white) {
+            for (sums, entry) in sums.chunks_exact_mut(width).zip(&made_white) {
                 for (sum, other) in sums.iter_mut().zip(&made_white) {
-                    *sum += own * other;
+                    *sum += entry * other;
                 }
             }
         }

@@ -27,8 +27,8 @@ pub(super) fn covariance(traces: &[Trace], minimum: &TraceMinimum, response: &DM
 /// The changes of all rows by one of the errors of a pivot, times their weights.
 fn weighted(traces: &[Trace], minimum: &TraceMinimum, pivot: &FittedPivot, error: usize) -> DVector<f64> {
     let of_trace = |(trace, weights): (&Trace, &[f64])| match trace.fitted_pivot() {
-        Some(own) if own.is_shared_with(pivot) => {
-            own.errors()[error].iter().zip(weights).map(|(change, weight)| change * weight).collect()
+        Some(other) if other.is_shared_with(pivot) => {
+            other.errors()[error].iter().zip(weights).map(|(change, weight)| change * weight).collect()
         }
         _ => vec![0.0; trace.len()],
     };

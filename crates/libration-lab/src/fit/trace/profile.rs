@@ -44,21 +44,21 @@ pub(super) fn intervals(
 ) -> Result<(), TraceFitError> {
     let free = problem.model.free();
     let shared: Vec<usize> =
-        (0..parameters.len()).filter(|&place| parameters[place].trace.is_none()).collect();
+        (0..parameters.len()).filter(|&index| parameters[index].trace.is_none()).collect();
     let ends: Vec<(usize, f64, f64)> = shared
         .iter()
-        .flat_map(|&place| LEVELS.map(|level| [-1.0, 1.0].map(|side| (place, level, side))).concat())
+        .flat_map(|&index| LEVELS.map(|level| [-1.0, 1.0].map(|side| (index, level, side))).concat())
         .collect();
-    let found = parallel::map(&ends, watch, |&(place, level, side), watch| {
-        let parameter = &parameters[place];
+    let outcomes = parallel::map(&ends, watch, |&(index, level, side), watch| {
+        let parameter = &parameters[index];
         let inflation = parameter.estimate.uncertainty / parameter.formal_uncertainty;
         let wanted = students(level, parameter.degrees_of_freedom) * inflation;
-        let profile = Profile { problem, minimum, free: &free, covariance, place, variance };
+        let profile = Profile { problem, minimum, free: &free, covariance, index, variance };
         profile.end(side * wanted, parameter.formal_uncertainty, watch)
     });
-    let found = found.into_iter().collect::<Result<Vec<f64>, TraceFitError>>()?;
-    for (place, ends) in shared.into_iter().zip(found.chunks_exact(2 * LEVELS.len())) {
-        parameters[place].intervals = [[ends[0], ends[1]], [ends[2], ends[3]]];
+    let distances = outcomes.into_iter().collect::<Result<Vec<f64>, TraceFitError>>()?;
+    for (index, ends) in shared.into_iter().zip(distances.chunks_exact(2 * LEVELS.len())) {
+        parameters[index].intervals = [[ends[0], ends[1]], [ends[2], ends[3]]];
     }
     Ok(())
 }
@@ -70,14 +70,14 @@ struct Profile<'a> {
     free: &'a [usize],
     covariance: &'a DMatrix<f64>,
     /// Index of the parameter among the free ones.
-    place: usize,
+    index: usize,
     variance: f64,
 }
 
 impl Profile<'_> {
     /// The value at this number of standard deviations; by the linear approximation if the profile does not reach so far.
     fn end(&self, deviations: f64, uncertainty: f64, watch: &Watch<'_>) -> Result<f64, TraceFitError> {
-        let centre = self.minimum.parameters[self.free[self.place]];
+        let centre = self.minimum.parameters[self.free[self.index]];
         let mut distance = deviations * uncertainty;
         for _ in 0..TRIES {
             let reached = match self.deviations(distance, watch) {
@@ -98,12 +98,12 @@ impl Profile<'_> {
     /// of the linear approximation.
     fn deviations(&self, distance: f64, watch: &Watch<'_>) -> Result<f64, TraceFitError> {
         let mut parameters = self.minimum.parameters.clone();
-        let variance = self.covariance[(self.place, self.place)];
-        for (column, &place) in self.free.iter().enumerate() {
-            parameters[place] += distance * self.covariance[(self.place, column)] / variance;
+        let variance = self.covariance[(self.index, self.index)];
+        for (column, &index) in self.free.iter().enumerate() {
+            parameters[index] += distance * self.covariance[(self.index, column)] / variance;
         }
-        let own = self.free[self.place];
-        let others = self.free.iter().copied().filter(|&other| other != own).collect();
+        let fixed = self.free[self.index];
+        let others = self.free.iter().copied().filter(|&other| other != fixed).collect();
         let least = self.minimum.sum_of_squares();
         let moved = self.problem.sum_beside(&self.minimum.weights, parameters, others, least, watch)?;
         Ok(((moved - least).max(0.0) / self.variance).sqrt())

@@ -56,31 +56,31 @@ struct Followed {
     until: Option<f64>,
 }
 
-/// Finds the approximate minimum, from the first swings on; `known` is the deepest that is known already.
+/// Finds the approximate minimum, from the first swings on; `deepest` is the deepest known so far.
 pub fn from_scratch(
     problem: &Problem<'_>,
-    known: Option<&Descent>,
+    deepest: Option<&Descent>,
     watch: &Watch<'_>,
 ) -> Result<Descent, TraceFitError> {
     let beginning = beginning(problem);
     let quick = grown(problem, beginning.clone(), &QUICK, watch);
     match quick {
         Err(TraceFitError::Interrupted) => Err(TraceFitError::Interrupted),
-        Ok(found) if !is_lost(&found, known) => Ok(found.end),
+        Ok(followed) if !is_lost(&followed, deepest) => Ok(followed.end),
         quick => {
             let careful = grown(problem, beginning, &CAREFUL, watch);
-            deeper(quick.map(|found| found.end), careful.map(|found| found.end))
+            deeper(quick.map(|followed| followed.end), careful.map(|followed| followed.end))
         }
     }
 }
 
 /// Returns `true` if the search failed. It is the model that failed if it describes the beginning and fails later on; the search succeeded if the
 /// motion is in phase with all parts of the data, or if another search leads to the same end.
-fn is_lost(found: &Followed, known: Option<&Descent>) -> bool {
-    found.end.unexplained > GOOD
-        && found.end.least_correlation < IN_PHASE
-        && found.until.is_none_or(|cycles| cycles <= CYCLES_OF_SEARCH)
-        && !known.is_some_and(|known| are_alike(known, &found.end))
+fn is_lost(followed: &Followed, deepest: Option<&Descent>) -> bool {
+    followed.end.unexplained > GOOD
+        && followed.end.least_correlation < IN_PHASE
+        && followed.until.is_none_or(|cycles| cycles <= CYCLES_OF_SEARCH)
+        && !deepest.is_some_and(|other| are_alike(other, &followed.end))
 }
 
 /// Returns `true` if two searches have led to the same minimum, in which the motion is in phase.
@@ -110,9 +110,9 @@ fn grown(
         // In the first swings an error is cheaply avoided and hard to correct: next to the top everything depends on them.
         let care = if cycles < CYCLES_OF_ALL_DAMPING { Care::FIRST_SWINGS } else { Care::GROWTH };
         let start = Start { parameters, free, patience: PATIENCE_GROWING, care };
-        let found = problem.descent_over(cycles, start, watch)?;
-        let is_lost = found.is_lost();
-        parameters = found.parameters;
+        let descent = problem.descent_over(cycles, start, watch)?;
+        let is_lost = descent.is_lost();
+        parameters = descent.parameters;
         if is_lost {
             let end = if problem.cycles > FAR * cycles {
                 problem.without_descent(parameters, watch)?
@@ -130,10 +130,10 @@ fn grown(
 /// The parameters that this number of cycles determines: in few of them the kinds of damping cannot be distinguished.
 fn free_within(layout: Layout, cycles: f64, growth: &WindowGrowth) -> Vec<usize> {
     let damping = layout.coefficients();
-    let is_free = |place: &usize| match damping.contains(place) {
+    let is_free = |index: &usize| match damping.contains(index) {
         true if cycles >= CYCLES_OF_ALL_DAMPING => true,
-        true => *place == damping.start && cycles >= growth.damped_from,
-        false => *place != layout.scale(),
+        true => *index == damping.start && cycles >= growth.damped_from,
+        false => *index != layout.scale(),
     };
     (0..layout.len()).filter(is_free).collect()
 }
@@ -146,8 +146,8 @@ fn beginning(problem: &Problem<'_>) -> Vec<f64> {
     parameters[Layout::OMEGA0] = TAU * problem.cycles / problem.data.span();
     for (number, begin) in problem.beginnings.iter().enumerate() {
         parameters[layout.offset(number)] = begin.offset;
-        for (place, value) in layout.first_state(number).into_iter().zip(begin.state) {
-            parameters[place] = value;
+        for (index, value) in layout.first_state(number).into_iter().zip(begin.state) {
+            parameters[index] = value;
         }
     }
     parameters

@@ -249,13 +249,13 @@ fn by_omega0(
     by_velocity: &[f64],
 ) -> Vec<f64> {
     let start = course.times.first().copied().unwrap_or(0.0);
-    let own = if course.observable == Observable::AngularVelocity { 1.0 } else { 0.0 };
+    let of_value = if course.observable == Observable::AngularVelocity { 1.0 } else { 0.0 };
     let mut sums: Vec<f64> = course
         .times
         .iter()
         .zip(rates)
         .zip(values)
-        .map(|((time, rate), value)| (time - start) * rate + own * value)
+        .map(|((time, rate), value)| (time - start) * rate + of_value * value)
         .collect();
     let powers = swing.terms.iter().zip(course.coefficients).map(|(term, coefficient)| match term {
         DampingKind::Dry => 2.0 * coefficient,

@@ -11,8 +11,8 @@ use super::{Parameter, profile};
 /// Adds a covariance of the parameters to their uncertainties, intervals and correlations.
 pub fn add(parameters: &mut [Parameter], correlations: &mut [Vec<f64>], covariance: &DMatrix<f64>) {
     let by_scatter: Vec<f64> = parameters.iter().map(|parameter| parameter.estimate.uncertainty).collect();
-    for (place, parameter) in parameters.iter_mut().enumerate() {
-        widen(parameter, covariance[(place, place)].sqrt());
+    for (index, parameter) in parameters.iter_mut().enumerate() {
+        widen(parameter, covariance[(index, index)].sqrt());
     }
     for (i, row) in correlations.iter_mut().enumerate() {
         for (j, correlation) in row.iter_mut().enumerate().filter(|(j, _)| *j != i) {

@@ -27,8 +27,8 @@ pub fn fit(
     let mut parameters = described(problem, minimum);
     let response = Response::new(minimum, &parameters)?;
     let covariance = response.covariance();
-    for (place, parameter) in parameters.iter_mut().enumerate() {
-        parameter.formal_uncertainty = (scatter.variance * covariance[(place, place)]).sqrt();
+    for (index, parameter) in parameters.iter_mut().enumerate() {
+        parameter.formal_uncertainty = (scatter.variance * covariance[(index, index)]).sqrt();
     }
     let mut shared = pivot::covariance(traces, minimum, &response.matrix);
     let unweighted = match problem.options.robust {
@@ -88,9 +88,9 @@ impl ResidualScatter {
 /// The free parameters with their values.
 fn described(problem: &Problem<'_>, minimum: &TraceMinimum) -> Vec<Parameter> {
     let layout = problem.model.layout;
-    let one = |place: usize| Parameter {
-        estimate: Uncertain { value: minimum.parameters[place], ..Uncertain::default() },
-        ..layout.described(place, problem.data.traces)
+    let one = |index: usize| Parameter {
+        estimate: Uncertain { value: minimum.parameters[index], ..Uncertain::default() },
+        ..layout.described(index, problem.data.traces)
     };
     problem.model.free().into_iter().map(one).collect()
 }
@@ -125,7 +125,7 @@ fn independent_rows(parameters: &[Parameter], rows: usize) -> f64 {
 }
 
 fn correlations(covariance: &DMatrix<f64>) -> Vec<Vec<f64>> {
-    let deviation = |place: usize| covariance[(place, place)].sqrt();
+    let deviation = |index: usize| covariance[(index, index)].sqrt();
     let correlation = |i: usize, j: usize| covariance[(i, j)] / (deviation(i) * deviation(j));
     let row =
         |i: usize| (0..covariance.ncols()).map(|j| if i == j { 1.0 } else { correlation(i, j) }).collect();

@@ -55,15 +55,15 @@ fn check_places(
     archive: &ZipSliceArchive<&[u8]>,
     entries: &[ZipFileHeaderRecord<'_>],
 ) -> Result<(), MeasurementError> {
-    let place = |entry: &ZipFileHeaderRecord<'_>| {
+    let extent = |entry: &ZipFileHeaderRecord<'_>| {
         let (_, end) = archive.get_entry(entry.wayfinder())?.compressed_data_range();
         Ok((entry.local_header_offset(), end))
     };
-    let mut places: Vec<(u64, u64)> =
-        entries.iter().map(place).collect::<Result<_, rawzip::Error>>().map_err(damaged)?;
-    places.push((archive.directory_offset(), u64::MAX));
-    places.sort_unstable();
-    if places.windows(2).any(|pair| pair[0].1 > pair[1].0) {
+    let mut extents: Vec<(u64, u64)> =
+        entries.iter().map(extent).collect::<Result<_, rawzip::Error>>().map_err(damaged)?;
+    extents.push((archive.directory_offset(), u64::MAX));
+    extents.sort_unstable();
+    if extents.windows(2).any(|pair| pair[0].1 > pair[1].0) {
         return Err(damaged("its files overlap"));
     }
     Ok(())
@@ -86,8 +86,8 @@ fn unpacked(
         other => return Err(damaged(format!("compression method not supported: {}", other.as_u16()))),
     };
     if bytes.len() <= room {
-        let found = ZipVerification { crc: crc32(&bytes), uncompressed_size: bytes.len() as u64 };
-        packed.claim_verifier().valid(found).map_err(damaged)?;
+        let actual = ZipVerification { crc: crc32(&bytes), uncompressed_size: bytes.len() as u64 };
+        packed.claim_verifier().valid(actual).map_err(damaged)?;
     }
     Ok(bytes)
 }

@@ -101,9 +101,10 @@ impl Clock {
     /// Root mean square error that the rounding of the times causes in values that change as these, of the kept rows.
     pub(super) fn rounding_noise(&self, kept: &[usize], values: &[f64]) -> Option<f64> {
         let grid = self.grid.as_ref()?;
-        let places = kept.windows(2).map(|pair| grid.numbers[pair[1]].saturating_sub(grid.numbers[pair[0]]));
-        let steps = values.windows(2).map(|pair| pair[1] - pair[0]).zip(places);
-        let speeds = steps.map(|(step, places)| step / (grid.interval * count(places.max(1))));
+        let intervals =
+            kept.windows(2).map(|pair| grid.numbers[pair[1]].saturating_sub(grid.numbers[pair[0]]));
+        let steps = values.windows(2).map(|pair| pair[1] - pair[0]).zip(intervals);
+        let speeds = steps.map(|(step, ticks)| step / (grid.interval * count(ticks.max(1))));
         let noise = grid.rms_deviation * root_mean_square(speeds);
         noise.is_finite().then_some(noise)
     }
@@ -124,7 +125,7 @@ fn usual_interval(times: &[f64]) -> Option<f64> {
 
 /// The decimal step of which all times are multiples, up to the rounding of their binary values.
 fn resolution(times: &[f64]) -> Option<f64> {
-    let steps = (0..=9).map(|places| 10_u32.pow(places)).map(f64::from);
+    let steps = (0..=9).map(|decimals| 10_u32.pow(decimals)).map(f64::from);
     let is_whole = |value: f64| (value - value.round()).abs() <= 1e-9 + 4.0 * f64::EPSILON * value.abs();
     steps.into_iter().find(|scale| times.iter().all(|time| is_whole(time * scale))).map(|scale| 1.0 / scale)
 }
@@ -141,19 +142,19 @@ fn grid_of_digits(times: &[f64], digits: SignificantDigits, interval: f64) -> Op
     let is_fine = |row: &usize| half_steps[*row] < 0.1 * (times[*row] - times[*row - 1]);
     let fine: Vec<f64> = (1..times.len()).filter(is_fine).map(|row| times[row] - times[row - 1]).collect();
     let seen = lower_median(fine).unwrap_or(interval);
-    let mut place = 0;
+    let mut tick = 0;
     let with_gaps: Vec<usize> = rows
         .iter()
         .map(|&row| {
             let steps =
                 if row > 0 && is_fine(&row) { whole((times[row] - times[row - 1]) / seen).max(1) } else { 1 };
-            place += if row > 0 { steps } else { 0 };
-            place
+            tick += if row > 0 { steps } else { 0 };
+            tick
         })
         .collect();
-    let mut places = [rows, with_gaps].into_iter();
-    let grid = places
-        .find_map(|places| Some(EvenTimes::through(times, &places, &half_steps)?.grid(times, &places)))?;
+    let mut candidates = [rows, with_gaps].into_iter();
+    let grid = candidates
+        .find_map(|ticks| Some(EvenTimes::through(times, &ticks, &half_steps)?.grid(times, &ticks)))?;
     (grid.rms_deviation > NEGLIGIBLE_ROUNDING * grid.interval).then_some(grid)
 }
 
@@ -173,15 +174,15 @@ fn missing(grid: &Grid) -> Vec<Gap> {
 fn grid_of_increasing(times: &[f64], kept: &[usize], interval: f64, resolution: Option<f64>) -> Option<Grid> {
     let increasing: Vec<f64> = kept.iter().map(|&row| times[row]).collect();
     let better = slope_between_gaps(&increasing, interval);
-    let mut place = 0;
-    let mut places = vec![0];
+    let mut tick = 0;
+    let mut ticks = vec![0];
     for length in intervals(&increasing) {
-        place = whole(length / better).max(1).saturating_add(place);
-        places.push(place);
+        tick = whole(length / better).max(1).saturating_add(tick);
+        ticks.push(tick);
     }
-    let found = grid(&increasing, &places, resolution)?;
-    let numbers = times.iter().map(|time| whole((time - found.first) / found.interval)).collect();
-    Some(Grid { numbers, ..found })
+    let grid = grid(&increasing, &ticks, resolution)?;
+    let numbers = times.iter().map(|time| whole((time - grid.first) / grid.interval)).collect();
+    Some(Grid { numbers, ..grid })
 }
 
 /// The slope of the times against their row within stretches without gaps, all stretches together.
@@ -199,21 +200,21 @@ fn slope_between_gaps(times: &[f64], interval: f64) -> f64 {
 }
 
 /// The least-squares grid, if the times are on it up to their rounding, and not exactly.
-fn grid(times: &[f64], places: &[usize], resolution: Option<f64>) -> Option<Grid> {
+fn grid(times: &[f64], ticks: &[usize], resolution: Option<f64>) -> Option<Grid> {
     let resolution = resolution?;
-    let (x, t) = (mean(places.iter().map(|&place| count(place))), mean(times.iter().copied()));
-    let moments = places.iter().zip(times).map(|(&place, time)| {
-        let from_mean = count(place) - x;
+    let (x, t) = (mean(ticks.iter().map(|&number| count(number))), mean(times.iter().copied()));
+    let moments = ticks.iter().zip(times).map(|(&number, time)| {
+        let from_mean = count(number) - x;
         (from_mean * (time - t), from_mean * from_mean)
     });
     let (products, squares) = moments.fold((0.0, 0.0), |(a, b), (c, d)| (a + c, b + d));
     let interval = products / squares;
-    let bounds = EvenTimes::through(times, places, &vec![0.5 * resolution; times.len()]);
+    let bounds = EvenTimes::through(times, ticks, &vec![0.5 * resolution; times.len()]);
     // Independent errors of rounding, for programs that add up rounded intervals.
     let usual = resolution / (12.0 * squares).sqrt();
     let interval_uncertainty = bounds.map_or(usual, |bounds| bounds.interval_uncertainty);
     let even = EvenTimes { first: interval.mul_add(-x, t), interval, interval_uncertainty };
-    let even = even.grid(times, places);
+    let even = even.grid(times, ticks);
     let (rms, largest_deviation) = (even.rms_deviation, even.largest_deviation);
     // Half a step of the rounding itself, √(1/12) in the mean square; programs that add up rounded intervals are off by more: with one step,
     // or half of one in the mean square, a video of 4502 frames was not even; with 4, and with 1, nothing changed. A tenth is exact

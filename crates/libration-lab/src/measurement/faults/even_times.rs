@@ -24,9 +24,9 @@ pub struct EvenTimes {
 
 impl EvenTimes {
     /// Equally spaced times within these half steps of the times at these positions, if there are any.
-    pub fn through(times: &[f64], places: &[usize], half_steps: &[f64]) -> Option<Self> {
+    pub fn through(times: &[f64], numbers: &[usize], half_steps: &[f64]) -> Option<Self> {
         let (first, last) = (*times.first()?, *times.last()?);
-        let span = count(*places.last()?);
+        let span = count(*numbers.last()?);
         let chord = (last - first) / span;
         let widest = half_steps.iter().copied().fold(0.0, f64::max);
         if !(chord > 0.0 && chord.is_finite() && widest > 0.0) {
@@ -34,9 +34,9 @@ impl EvenTimes {
         }
         // The line is within the widest half step of both ends: in units of it, about the chord, on places from 0 to 1.
         let mut polygon = vec![(-2.0, -4.0), (2.0, -4.0), (2.0, 4.0), (-2.0, 4.0)];
-        for ((time, &place), half) in times.iter().zip(places).zip(half_steps) {
-            let place = count(place);
-            let (along, off) = (place / span, (time - chord.mul_add(place, first)) / widest);
+        for ((time, &number), half) in times.iter().zip(numbers).zip(half_steps) {
+            let step = count(number);
+            let (along, off) = (step / span, (time - chord.mul_add(step, first)) / widest);
             let half = (1.0 + TWICE_ROUNDED) * half / widest;
             polygon = below(&polygon, |(a, b)| along.mul_add(b, a) - off - half);
             polygon = below(&polygon, |(a, b)| off - along.mul_add(b, a) - half);
@@ -51,10 +51,10 @@ impl EvenTimes {
     }
 
     /// The grid, with the errors of the times as written.
-    pub(super) fn grid(self, times: &[f64], places: &[usize]) -> Grid {
+    pub(super) fn grid(self, times: &[f64], numbers: &[usize]) -> Grid {
         let Self { first, interval, interval_uncertainty } = self;
         let errors =
-            || places.iter().zip(times).map(|(&place, time)| interval.mul_add(count(place), first) - time);
+            || numbers.iter().zip(times).map(|(&number, time)| interval.mul_add(count(number), first) - time);
         let rms_deviation = root_mean_square(errors());
         let largest_deviation = errors().fold(0.0, |largest: f64, error| largest.max(error.abs()));
         Grid {
@@ -63,7 +63,7 @@ impl EvenTimes {
             interval_uncertainty,
             rms_deviation,
             largest_deviation,
-            numbers: places.to_vec(),
+            numbers: numbers.to_vec(),
         }
     }
 }
@@ -73,8 +73,8 @@ type Vertex = (f64, f64);
 /// The part of a convex polygon where this linear function is not above zero.
 fn below(polygon: &[Vertex], height: impl Fn(Vertex) -> f64) -> Vec<Vertex> {
     let mut kept = Vec::with_capacity(polygon.len() + 1);
-    for (place, &point) in polygon.iter().enumerate() {
-        let next = polygon[(place + 1) % polygon.len()];
+    for (index, &point) in polygon.iter().enumerate() {
+        let next = polygon[(index + 1) % polygon.len()];
         let (here, there) = (height(point), height(next));
         if here <= 0.0 {
             kept.push(point);

@@ -23,6 +23,6 @@ impl Grid {
     /// The even times, one for each row.
     #[must_use]
     pub fn times(&self) -> Vec<f64> {
-        self.numbers.iter().map(|&place| self.interval.mul_add(count(place), self.first)).collect()
+        self.numbers.iter().map(|&number| self.interval.mul_add(count(number), self.first)).collect()
     }
 }

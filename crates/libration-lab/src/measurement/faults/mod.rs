@@ -74,19 +74,19 @@ impl Faults {
     fn look_closer(&mut self, times: &[f64], values: &[f64], turn: Option<f64>) {
         let left_out = self.left_out();
         let kept: Vec<usize> = (0..times.len()).filter(|row| left_out.binary_search(row).is_err()).collect();
-        let place = |found: Vec<usize>| found.into_iter().map(|row| kept[row]).collect::<Vec<_>>();
+        let rows_of_table = |rows: Vec<usize>| rows.into_iter().map(|row| kept[row]).collect::<Vec<_>>();
         let times_of: Vec<f64> = kept.iter().map(|&row| times[row]).collect();
         let values_of: Vec<f64> = kept.iter().map(|&row| values[row]).collect();
-        self.wraps = place(wraps(&values_of, turn));
+        self.wraps = rows_of_table(wraps(&values_of, turn));
         let smooth = turn.map_or_else(|| values_of.clone(), |turn| unwrapped(&values_of, turn));
         self.clock = Clock::new(times, &kept);
         self.rounding_noise = self.clock.as_ref().and_then(|clock| clock.rounding_noise(&kept, &smooth));
-        let runs = |found: Vec<Plateau>| {
-            found.into_iter().map(|run| Plateau { first: kept[run.first], ..run }).collect::<Vec<_>>()
+        let runs = |plateaus: Vec<Plateau>| {
+            plateaus.into_iter().map(|run| Plateau { first: kept[run.first], ..run }).collect::<Vec<_>>()
         };
         self.stuck = runs(clipping::stuck(&smooth, outliers::noise(&times_of, &smooth)));
         self.clipped = runs(clipping::clipped(&smooth));
-        self.outliers = place(outliers::outliers(&times_of, &smooth));
+        self.outliers = rows_of_table(outliers::outliers(&times_of, &smooth));
     }
 
     /// The rows without which the times increase, in order.

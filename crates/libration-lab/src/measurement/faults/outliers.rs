@@ -27,8 +27,8 @@ pub fn outliers(times: &[f64], values: &[f64]) -> Vec<usize> {
     let mut curve = Curve::new(times, values);
     let scales = curve.scales();
     for _ in 0..PASSES {
-        let found = curve.mark(&scales);
-        if found == 0 {
+        let marked = curve.mark(&scales);
+        if marked == 0 {
             break;
         }
     }
@@ -109,15 +109,15 @@ impl<'a> Curve<'a> {
         let mut suspects: Vec<(usize, f64)> =
             (0..scales.len()).filter_map(|row| Some((row, self.excess(row, scales)?))).collect();
         suspects.sort_by(|a, b| b.1.total_cmp(&a.1));
-        let mut found = 0;
+        let mut marked = 0;
         for (row, _) in suspects {
             let block = self.excess(row, scales).and_then(|_| self.explanation(row, scales));
             for outlier in block.into_iter().flatten() {
                 self.is_marked[outlier] = true;
-                found += 1;
+                marked += 1;
             }
         }
-        found
+        marked
     }
 
     /// Deviation of a row that is not marked in multiples of the threshold; `None` up to 1.

@@ -109,8 +109,8 @@ fn count(number: usize, what: &str) -> String {
 /// `line 3`, `lines 3, 8, 9`, `lines 3, 8, 9, 11, 12 and 40 more`.
 fn places(rows: &[usize], lines: &[u64]) -> String {
     let word = if lines.is_empty() { "row" } else { "line" };
-    let place = |&row: &usize| lines.get(row).map_or_else(|| (row + 1).to_string(), ToString::to_string);
-    let shown: Vec<String> = rows.iter().take(NAMED).map(place).collect();
+    let name = |&row: &usize| lines.get(row).map_or_else(|| (row + 1).to_string(), ToString::to_string);
+    let shown: Vec<String> = rows.iter().take(NAMED).map(name).collect();
     let more = rows.len() - shown.len();
     let plural = if rows.len() == 1 { "" } else { "s" };
     let rest = if more > 0 { format!(" and {more} more") } else { String::new() };

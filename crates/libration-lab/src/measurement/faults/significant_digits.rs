@@ -26,8 +26,8 @@ impl SignificantDigits {
     /// The step of the last digit of this time; for zero, that of the smallest other time.
     pub fn step_at(self, time: f64) -> f64 {
         let first = if time == 0.0 { self.smallest } else { exponent(time.abs()) };
-        let places = i32::try_from(self.count - 1).unwrap_or(i32::MAX);
-        libm::exp10(f64::from(first - places))
+        let digits_after = i32::try_from(self.count - 1).unwrap_or(i32::MAX);
+        libm::exp10(f64::from(first - digits_after))
     }
 }
 

@@ -10,16 +10,16 @@ const AFTER: [&str; 8] = ["err", "error", "unc", "uncert", "sd", "std", "stdev",
 /// Marks the headings whose names are a sign of uncertainty and the name of another column of the same unit. `distance`, `diameter` and a single
 /// `d` are not uncertainties.
 pub(in crate::measurement) fn name_uncertainties(headings: &mut [Heading]) {
-    for place in 0..headings.len() {
-        if headings[place].is_uncertainty {
+    for index in 0..headings.len() {
+        if headings[index].is_uncertainty {
             continue;
         }
-        let of = stems(&headings[place].name).into_iter().find_map(|stem| {
-            let is_of = |other: &&Heading| other.name == stem && headings[place].may_measure_as(other);
+        let of = stems(&headings[index].name).into_iter().find_map(|stem| {
+            let is_of = |other: &&Heading| other.name == stem && headings[index].may_measure_as(other);
             headings.iter().filter(|other| !other.is_uncertainty).find(is_of)
         });
         if let Some((name, quantity)) = of.map(|of| (of.name.clone(), of.quantity)) {
-            let heading = &mut headings[place];
+            let heading = &mut headings[index];
             (heading.is_uncertainty, heading.uncertainty_of, heading.quantity) = (true, Some(name), quantity);
         }
     }
@@ -27,15 +27,15 @@ pub(in crate::measurement) fn name_uncertainties(headings: &mut [Heading]) {
 
 /// Corrects headings that were read as quantities in minutes but are minima, since another heading is equal except for `max`.
 pub(in crate::measurement) fn name_minima(headings: &mut [Heading]) {
-    for place in 0..headings.len() {
-        let text = headings[place].text.to_lowercase();
-        let Some(stem) = text.strip_suffix("min").filter(|_| headings[place].unit == Some(Unit::Minute))
+    for index in 0..headings.len() {
+        let text = headings[index].text.to_lowercase();
+        let Some(stem) = text.strip_suffix("min").filter(|_| headings[index].unit == Some(Unit::Minute))
         else {
             continue;
         };
         let maximum = headings.iter().find(|other| other.text.to_lowercase() == format!("{stem}max"));
         if let Some(quantity) = maximum.map(|maximum| maximum.quantity) {
-            let heading = &mut headings[place];
+            let heading = &mut headings[index];
             let name = heading.text.clone();
             (heading.name, heading.quantity, heading.unit, heading.unit_text) = (name, quantity, None, None);
         }
@@ -58,7 +58,7 @@ impl Heading {
     /// Returns `true` if the unit is of the same kind as that of another column, or the column has no unit.
     fn may_measure_as(&self, other: &Self) -> bool {
         match (self.unit, other.unit) {
-            (Some(own), Some(other)) => own.measures() == other.measures(),
+            (Some(unit), Some(other)) => unit.measures() == other.measures(),
             (None, _) => self.unit_text.is_none() || self.unit_text == other.unit_text,
             (Some(_), None) => false,
         }

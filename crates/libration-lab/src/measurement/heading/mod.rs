@@ -215,10 +215,11 @@ fn split_unit(text: &str) -> (&str, Option<&str>, Option<&str>) {
             return (name.trim().trim_end_matches('/').trim(), Some(unit.trim()), after);
         }
     }
-    let known = |between: &str| text.rsplit_once(between).filter(|(_, unit)| unit.parse::<Unit>().is_ok());
-    let in_words = known(" in ").map(|(name, unit)| (name, unit.trim()));
+    let with_unit =
+        |between: &str| text.rsplit_once(between).filter(|(_, unit)| unit.parse::<Unit>().is_ok());
+    let in_words = with_unit(" in ").map(|(name, unit)| (name, unit.trim()));
     let at_stroke = || split_at_stroke(text).map(|(name, unit)| (name, bare(unit)));
-    let at_end = || known("_").or_else(|| known(" ")).map(|(name, unit)| (name, unit.trim()));
+    let at_end = || with_unit("_").or_else(|| with_unit(" ")).map(|(name, unit)| (name, unit.trim()));
     if let Some((name, unit)) = in_words.or_else(at_stroke).or_else(at_end) {
         return (name.trim(), Some(unit), None);
     }

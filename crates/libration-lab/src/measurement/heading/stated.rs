@@ -26,7 +26,7 @@ const FRACTIONS: [(&str, f64); 7] = [
 
 /// Divides a heading into the text without `± number` and the uncertainty that this states.
 pub(in crate::measurement) fn without_stated(text: &str) -> (String, Option<StatedUncertainty>) {
-    let found = text.split_once('±').and_then(|(before, after)| {
+    let parts = text.split_once('±').and_then(|(before, after)| {
         let after = after.trim_start();
         let end = after
             .find(|letter: char| !(letter.is_ascii_digit() || ".,".contains(letter)))
@@ -34,7 +34,7 @@ pub(in crate::measurement) fn without_stated(text: &str) -> (String, Option<Stat
         let value: f64 = after[..end].trim_end_matches(['.', ',']).replace(',', ".").parse().ok()?;
         Some((before, value, &after[end..])).filter(|_| value > 0.0 && value.is_finite())
     });
-    let Some((before, value, rest)) = found else { return (text.to_owned(), None) };
+    let Some((before, value, rest)) = parts else { return (text.to_owned(), None) };
     let fraction =
         FRACTIONS.iter().find_map(|(sign, size)| Some((rest.trim_start().strip_prefix(sign)?, *size)));
     if let Some((rest, size)) = fraction {
@@ -44,9 +44,10 @@ pub(in crate::measurement) fn without_stated(text: &str) -> (String, Option<Stat
     // After a unit of the column the number has one of its own: `T (s) ± 4 ms`.
     let has_unit =
         split_unit(before.trim()).1.is_some_and(|unit| !unit.trim().is_empty() && before.contains(')'));
-    let own = rest.trim_start().split([' ', ')', ']', ',']).next().filter(|_| has_unit).unwrap_or_default();
-    let unit: Option<Unit> = own.parse().ok();
-    let rest = if unit.is_some() { &rest.trim_start()[own.len()..] } else { rest };
+    let unit_text =
+        rest.trim_start().split([' ', ')', ']', ',']).next().filter(|_| has_unit).unwrap_or_default();
+    let unit: Option<Unit> = unit_text.parse().ok();
+    let rest = if unit.is_some() { &rest.trim_start()[unit_text.len()..] } else { rest };
     (joined(before, rest), Some(StatedUncertainty { value, unit, is_relative: false }))
 }
 

@@ -35,8 +35,8 @@ impl ColumnRole {
         ];
         let all: Vec<(String, Self)> =
             of_quantities.chain(others.map(|(word, role)| (word.to_owned(), role))).collect();
-        let found = all.iter().find(|(name, _)| name.eq_ignore_ascii_case(word.trim()));
-        found.map(|(_, role)| *role).ok_or_else(|| MeasurementError::NoSuch {
+        let entry = all.iter().find(|(name, _)| name.eq_ignore_ascii_case(word.trim()));
+        entry.map(|(_, role)| *role).ok_or_else(|| MeasurementError::NoSuch {
             what: "role",
             asked: word.trim().to_owned(),
             available: all.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>().join(", "),
@@ -52,18 +52,18 @@ impl GivenRoles {
         needed: &[TableQuantity],
     ) -> Result<Vec<Option<ColumnRole>>, MeasurementError> {
         let rest = self.are_all.then_some(ColumnRole::Ignored);
-        let mut places = vec![rest; table.width()];
+        let mut roles = vec![rest; table.width()];
         for (column, role) in &self.roles {
-            places[table.sheet().place(column)?] = Some(*role);
+            roles[table.sheet().index_of(column)?] = Some(*role);
         }
         for (quantity, it) in needed.iter().enumerate() {
             let of_quantity = |role: &&Option<ColumnRole>| matches!(role, Some(ColumnRole::Uncertainty(of, _)) if *of == quantity);
-            if places.iter().filter(of_quantity).count() > 1 {
+            if roles.iter().filter(of_quantity).count() > 1 {
                 let question = format!("two columns are uncertainties of the {}", it.name);
                 let choices = vec![Suggestion::new(Choice::Role, "COLUMN=ignore")];
                 return Err(MeasurementError::Undecided { question, choices });
             }
         }
-        Ok(places)
+        Ok(roles)
     }
 }

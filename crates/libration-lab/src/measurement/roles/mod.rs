@@ -163,7 +163,7 @@ impl Table {
         search.assign_number_of_readings()?;
         search.assign_rest();
         search.refuse_counts_of_periods(given)?;
-        Ok(search.found())
+        Ok(search.assigned())
     }
 }
 
@@ -171,9 +171,9 @@ impl Table {
     /// Returns `true` if headings name these columns of a quantity.
     #[must_use]
     pub fn heads(&self, quantity: &TableQuantity, columns: &QuantityColumns) -> bool {
-        let first = columns.readings.first().and_then(|column| self.sheet().place(column).ok());
-        first.is_some_and(|place| {
-            columns.are_squares || quantity.role.is_said_by(&self.sheet().channels[place].heading)
+        let first = columns.readings.first().and_then(|column| self.sheet().index_of(column).ok());
+        first.is_some_and(|index| {
+            columns.are_squares || quantity.role.is_said_by(&self.sheet().channels[index].heading)
         })
     }
 }
@@ -188,38 +188,38 @@ struct RoleSearch<'a> {
 }
 
 impl RoleSearch<'_> {
-    fn heading(&self, place: usize) -> &Heading {
-        &self.table.sheet().channels[place].heading
+    fn heading(&self, column: usize) -> &Heading {
+        &self.table.sheet().channels[column].heading
     }
 
-    fn describe(&self, place: usize) -> String {
-        self.table.sheet().describe(place)
+    fn describe(&self, column: usize) -> String {
+        self.table.sheet().describe(column)
     }
 
     /// Indices of the columns with this role.
     fn with_role(&self, role: ColumnRole) -> Vec<usize> {
-        (0..self.roles.len()).filter(|&place| self.roles[place] == Some(role)).collect()
+        (0..self.roles.len()).filter(|&column| self.roles[column] == Some(role)).collect()
     }
 
     /// Returns `true` if a column of values is free.
-    fn is_free(&self, place: usize) -> bool {
-        self.roles[place].is_none() && self.kinds[place] == Kind::Values
+    fn is_free(&self, column: usize) -> bool {
+        self.roles[column].is_none() && self.kinds[column] == Kind::Values
     }
 
     fn assign_rest(&mut self) {
         for (kind, role) in [(Kind::Swings, ColumnRole::Swings), (Kind::Group, ColumnRole::Group)] {
             if self.with_role(role).is_empty() {
-                let place =
+                let free =
                     (0..self.kinds.len()).find(|&it| self.kinds[it] == kind && self.roles[it].is_none());
-                if let Some(place) = place {
-                    self.roles[place] = Some(role);
+                if let Some(column) = free {
+                    self.roles[column] = Some(role);
                 }
             }
         }
     }
 
-    fn found(self) -> TableRoles {
-        let column = |place: usize| Column::Number(place + 1);
+    fn assigned(self) -> TableRoles {
+        let column = |index: usize| Column::Number(index + 1);
         let columns = |role| self.with_role(role).into_iter().map(column).collect::<Vec<_>>();
         let of_quantity = |quantity: usize| {
             let readings = self.with_role(ColumnRole::Reading(quantity));
@@ -228,15 +228,15 @@ impl RoleSearch<'_> {
             });
             QuantityColumns {
                 are_squares: !readings.is_empty()
-                    && readings.iter().all(|&place| self.kinds[place] == Kind::Squares),
+                    && readings.iter().all(|&index| self.kinds[index] == Kind::Squares),
                 swings: self.swings_by_a_quotient(&readings),
                 readings: readings.into_iter().map(column).collect(),
                 uncertainties,
             }
         };
         // Empty columns, and those added to others.
-        let is_empty = |place: usize| {
-            let channel = &self.table.sheet().channels[place];
+        let is_empty = |index: usize| {
+            let channel = &self.table.sheet().channels[index];
             channel.count() == 0 && channel.words.is_empty()
         };
         TableRoles {

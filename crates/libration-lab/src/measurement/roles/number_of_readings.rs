@@ -12,12 +12,12 @@ impl RoleSearch<'_> {
     /// n swings.
     pub(super) fn number_of_readings(&self) -> Option<usize> {
         let given = self.with_role(ColumnRole::Readings).first().copied();
-        let open = || (0..self.kinds.len()).filter(|&place| self.roles[place].is_none());
-        let named = || open().find(|&place| self.kinds[place] == Kind::NumbersOfReadings);
-        let is_bare = |place: &usize| {
-            self.kinds[*place] == Kind::Swings
-                && swing_numbers(&self.heading(*place).text) == SwingNumbers::Possible
-                && is_of_counts(&self.table.sheet().channels[*place])
+        let open = || (0..self.kinds.len()).filter(|&column| self.roles[column].is_none());
+        let named = || open().find(|&column| self.kinds[column] == Kind::NumbersOfReadings);
+        let is_bare = |column: &usize| {
+            self.kinds[*column] == Kind::Swings
+                && swing_numbers(&self.heading(*column).text) == SwingNumbers::Possible
+                && is_of_counts(&self.table.sheet().channels[*column])
         };
         let are_swings = !self.with_role(ColumnRole::Swings).is_empty();
         let bare = || open().find(is_bare).filter(|_| self.says_swings() && !are_swings);
@@ -35,9 +35,9 @@ impl RoleSearch<'_> {
     }
 
     fn has_times(&self, is_so: impl Fn(&Heading) -> bool) -> bool {
-        let is_time = |place: usize| match self.roles[place] {
+        let is_time = |column: usize| match self.roles[column] {
             Some(ColumnRole::Reading(of)) => {
-                self.needed[of].role == Role::Times && is_so(self.heading(place))
+                self.needed[of].role == Role::Times && is_so(self.heading(column))
             }
             _ => false,
         };
@@ -49,12 +49,12 @@ impl RoleSearch<'_> {
         let is_deviation = |role: &Option<ColumnRole>| {
             matches!(role, Some(ColumnRole::Uncertainty(_, UncertaintyKind::Deviation)))
         };
-        let Some(place) = self.roles.iter().position(is_deviation) else { return Ok(()) };
+        let Some(column) = self.roles.iter().position(is_deviation) else { return Ok(()) };
         let Some(number) = self.number_of_readings() else {
             let choices = vec![Suggestion::new(Choice::Role, "COLUMN=readings")];
             let question = format!(
                 "{} holds standard deviations of single readings, whose number is needed",
-                self.describe(place)
+                self.describe(column)
             );
             return Err(MeasurementError::Undecided { question, choices });
         };

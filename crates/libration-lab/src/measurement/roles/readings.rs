@@ -48,15 +48,16 @@ impl RoleSearch<'_> {
     /// A clause about the first column of text that a heading says to be needed.
     fn words(&self) -> String {
         let sheet = self.table.sheet();
-        let is_needed = |place: &usize| {
-            let heading = self.heading(*place);
+        let is_needed = |column: &usize| {
+            let heading = self.heading(*column);
             let counts = !matches!(counted(&heading.text), CountedPeriods::Nothing);
             counts || self.needed.iter().any(|it| it.role.is_said_by(heading))
         };
-        let place = (0..self.kinds.len()).filter(|&place| sheet.channels[place].count() == 0).find(is_needed);
-        let first = place.and_then(|place| Some((place, sheet.channels[place].words().first()?)));
-        let clause = |(place, (row, word)): (usize, &(usize, String))| {
-            let (line, column) = (sheet.lines[*row], self.describe(place));
+        let candidate =
+            (0..self.kinds.len()).filter(|&index| sheet.channels[index].count() == 0).find(is_needed);
+        let first = candidate.and_then(|column| Some((column, sheet.channels[column].words().first()?)));
+        let clause = |(index, (row, word)): (usize, &(usize, String))| {
+            let (line, column) = (sheet.lines[*row], self.describe(index));
             let reason = match () {
                 () if word.starts_with('=') => {
                     "a formula without its value: save the table with values in place of formulas"
@@ -82,8 +83,8 @@ impl RoleSearch<'_> {
     }
 
     fn take(&mut self, quantity: usize, columns: &[usize]) {
-        for &place in columns {
-            self.roles[place] = Some(ColumnRole::Reading(quantity));
+        for &column in columns {
+            self.roles[column] = Some(ColumnRole::Reading(quantity));
         }
     }
 
@@ -91,9 +92,9 @@ impl RoleSearch<'_> {
     fn named(&self, quantity: usize) -> Vec<usize> {
         let needed = self.needed[quantity];
         let of_kind = |kind: Kind| -> Vec<usize> {
-            let is = |place: &usize| self.roles[*place].is_none() && self.kinds[*place] == kind;
-            let says = |place: &usize| {
-                says(self.heading(*place), needed, kind) || self.is_only_angle(*place, needed)
+            let is = |column: &usize| self.roles[*column].is_none() && self.kinds[*column] == kind;
+            let says = |column: &usize| {
+                says(self.heading(*column), needed, kind) || self.is_only_angle(*column, needed)
             };
             (0..self.kinds.len()).filter(is).filter(says).collect()
         };
@@ -101,17 +102,17 @@ impl RoleSearch<'_> {
         let largest = sets.iter().map(Vec::len).max().unwrap_or(0);
         let values = sets.into_iter().find(|set| set.len() == largest);
         let other = || {
-            let single = |kind| of_kind(kind).first().map(|&place| vec![place]);
+            let single = |kind| of_kind(kind).first().map(|&column| vec![column]);
             single(Kind::Means).or_else(|| single(Kind::Squares).filter(|_| needed.role == Role::Times))
         };
         values.or_else(other).unwrap_or_default()
     }
 
     /// Returns `true` if a unit shows that a column contains angles, and this is the only quantity of angles.
-    fn is_only_angle(&self, place: usize, needed: TableQuantity) -> bool {
+    fn is_only_angle(&self, column: usize, needed: TableQuantity) -> bool {
         let of_angles =
             |quantity: &&TableQuantity| matches!(quantity.role, Role::Angles | Role::Displacements);
-        let heading = self.heading(place);
+        let heading = self.heading(column);
         needed.role == Role::Angles
             && self.needed.iter().filter(of_angles).count() == 1
             && heading.unit.is_some()
@@ -120,12 +121,12 @@ impl RoleSearch<'_> {
 
     /// The first free column of values, with its repetitions; a column with the heading of another quantity only if there are no others.
     fn first_free(&self, quantity: usize) -> Vec<usize> {
-        let free: Vec<usize> = (0..self.kinds.len()).filter(|&place| self.is_free(place)).collect();
-        let says_other = |place: &usize| {
-            let heading = self.heading(*place);
+        let free: Vec<usize> = (0..self.kinds.len()).filter(|&column| self.is_free(column)).collect();
+        let says_other = |column: &usize| {
+            let heading = self.heading(*column);
             heading.unit.is_some() && self.needed[quantity].role.contradicted_by(heading).is_some()
         };
-        let fitting: Vec<usize> = free.iter().copied().filter(|place| !says_other(place)).collect();
+        let fitting: Vec<usize> = free.iter().copied().filter(|column| !says_other(column)).collect();
         let sets = self.repeated(if fitting.is_empty() { &free } else { &fitting });
         sets.into_iter().next().unwrap_or_default()
     }
@@ -133,17 +134,17 @@ impl RoleSearch<'_> {
     /// The columns as sets of repeated readings, in the order of their first columns. A column of zeros, which does not even agree with itself, is
     /// not compared with others: a hostile table may have thousands.
     fn repeated(&self, columns: &[usize]) -> Vec<Vec<usize>> {
-        let name = |&place: &usize| (stem(self.heading(place)), self.heading(place).unit);
+        let name = |&column: &usize| (stem(self.heading(column)), self.heading(column).unit);
         let names: Vec<_> = columns.iter().map(name).collect();
         let mut sets: Vec<(usize, Vec<usize>)> = vec![];
-        for (index, &place) in columns.iter().enumerate() {
+        for (index, &column) in columns.iter().enumerate() {
             let is_of = |(first, _): &&mut (usize, Vec<usize>)| {
-                names[*first] == names[index] && self.agree(columns[*first], place)
+                names[*first] == names[index] && self.agree(columns[*first], column)
             };
-            let same = if self.agree(place, place) { sets.iter_mut().find(is_of) } else { None };
+            let same = if self.agree(column, column) { sets.iter_mut().find(is_of) } else { None };
             match same {
-                Some((_, set)) => set.push(place),
-                None => sets.push((index, vec![place])),
+                Some((_, set)) => set.push(column),
+                None => sets.push((index, vec![column])),
             }
         }
         sets.into_iter().map(|(_, set)| set).collect()
@@ -161,9 +162,9 @@ impl RoleSearch<'_> {
 
     fn ratios(&self, columns: &[usize], other: usize) -> Vec<f64> {
         let sheet = self.table.sheet();
-        let number = |place: usize, row: usize| sheet.number(place, row).ok().flatten();
+        let number = |column: usize, row: usize| sheet.number(column, row).ok().flatten();
         let ratio = |row: usize| {
-            let values: Vec<f64> = columns.iter().filter_map(|&place| number(place, row)).collect();
+            let values: Vec<f64> = columns.iter().filter_map(|&column| number(column, row)).collect();
             let quotient = mean(values.iter().copied()) / number(other, row)?;
             Some(quotient).filter(|it| it.is_finite())
         };
@@ -174,18 +175,18 @@ impl RoleSearch<'_> {
     pub(super) fn swings_by_a_quotient(&self, readings: &[usize]) -> Option<f64> {
         const WITHIN: f64 = 0.01;
         let first = self.heading(*readings.first()?);
-        let is_open = |place: &usize| self.roles[*place].is_none() && self.kinds[*place] != Kind::Other;
-        let is_time = |place: &usize| {
+        let is_open = |column: &usize| self.roles[*column].is_none() && self.kinds[*column] != Kind::Other;
+        let is_time = |column: &usize| {
             // `T = t/10` next to `t (s)`
-            let heading = self.heading(*place);
+            let heading = self.heading(*column);
             let counts = heading.unit.is_none() && !matches!(counted(&heading.text), CountedPeriods::Nothing);
             counts || Role::Times.is_said_by(heading) && heading.unit == first.unit
         };
         if !Role::Times.is_said_by(first) {
             return None;
         }
-        (0..self.kinds.len()).filter(is_open).filter(is_time).find_map(|place| {
-            let ratios = self.ratios(readings, place);
+        (0..self.kinds.len()).filter(is_open).filter(is_time).find_map(|column| {
+            let ratios = self.ratios(readings, column);
             let whole = median(ratios.clone())?.round();
             let is_near = |ratio: &f64| (ratio / whole - 1.0).abs() < WITHIN;
             (whole >= 2.0 && ratios.len() > 1 && ratios.iter().all(is_near)).then_some(whole)

@@ -10,25 +10,25 @@ impl RoleSearch<'_> {
     /// to that of the same name; `T uncertainty` to the only one of which it can be the symbol or the initial. Of two for one quantity the first is
     /// taken. Repeated readings have the uncertainty of their scatter.
     pub(super) fn assign_uncertainties(&mut self) -> Result<(), MeasurementError> {
-        let places: Vec<usize> = (0..self.kinds.len()).filter(|&it| self.kind_of(it).is_some()).collect();
+        let columns: Vec<usize> = (0..self.kinds.len()).filter(|&it| self.kind_of(it).is_some()).collect();
         let mut open = vec![];
-        for place in places {
-            match self.value_of(place) {
-                Some(value) => self.give(place, value),
-                None if self.heading(place).is_bare_uncertainty() => {}
-                None => open.push(place),
+        for column in columns {
+            match self.value_of(column) {
+                Some(value) => self.give(column, value),
+                None if self.heading(column).is_bare_uncertainty() => {}
+                None => open.push(column),
             }
         }
-        for (place, value) in self.by_symbols(&open)? {
-            self.give(place, value);
+        for (column, value) in self.by_symbols(&open)? {
+            self.give(column, value);
         }
         Ok(())
     }
 
     /// The kind of uncertainty of a column without a role.
-    fn kind_of(&self, place: usize) -> Option<UncertaintyKind> {
-        match self.kinds[place] {
-            _ if self.roles[place].is_some() => None,
+    fn kind_of(&self, column: usize) -> Option<UncertaintyKind> {
+        match self.kinds[column] {
+            _ if self.roles[column].is_some() => None,
             Kind::Uncertainties => Some(UncertaintyKind::Standard),
             Kind::HalfWidths => Some(UncertaintyKind::HalfWidth),
             Kind::Resolutions => Some(UncertaintyKind::Resolution),
@@ -48,40 +48,40 @@ impl RoleSearch<'_> {
         self.roles.iter().any(is_of)
     }
 
-    fn give(&mut self, place: usize, value: usize) {
-        let (Some(quantity), Some(kind)) = (self.quantity_of(value), self.kind_of(place)) else { return };
+    fn give(&mut self, column: usize, value: usize) {
+        let (Some(quantity), Some(kind)) = (self.quantity_of(value), self.kind_of(column)) else { return };
         let is_of_single = kind == UncertaintyKind::Standard
             && self.kinds[value] != Kind::Squares
-            && is_deviation(&self.heading(place).text)
+            && is_deviation(&self.heading(column).text)
             && self.number_of_readings().is_some();
         let kind = if is_of_single { UncertaintyKind::Deviation } else { kind };
         let is_repeated = self.readings_of(quantity) > 1.0 && kind != UncertaintyKind::Resolution;
         if is_repeated {
             let note = format!(
                 "{} is not used: the scatter of the readings is their uncertainty (<--role> {}={}-uncertainty)",
-                self.describe(place),
-                place + 1,
+                self.describe(column),
+                column + 1,
                 self.needed[quantity].name
             );
             self.notes.push(note);
-            self.roles[place] = Some(ColumnRole::Ignored);
+            self.roles[column] = Some(ColumnRole::Ignored);
         } else if !self.has_uncertainties(quantity) {
-            self.roles[place] = Some(ColumnRole::Uncertainty(quantity, kind));
+            self.roles[column] = Some(ColumnRole::Uncertainty(quantity, kind));
         }
     }
 
     /// The column of values that a heading names, or that is next to it.
-    fn value_of(&self, place: usize) -> Option<usize> {
+    fn value_of(&self, column: usize) -> Option<usize> {
         let values = || {
             (0..self.kinds.len())
                 .filter(|&it| matches!(self.kinds[it], Kind::Values | Kind::Means | Kind::Squares))
         };
-        let heading = self.heading(place);
-        let before = values().find(|value| value + 1 == place);
+        let heading = self.heading(column);
+        let before = values().find(|value| value + 1 == column);
         if heading.is_bare_uncertainty() {
             // A bare one after those of other columns is of the last column that has none.
             let is_open = |value: &usize| {
-                *value < place && self.quantity_of(*value).is_some_and(|of| !self.has_uncertainties(of))
+                *value < column && self.quantity_of(*value).is_some_and(|of| !self.has_uncertainties(of))
             };
             return before.or_else(|| values().rfind(is_open));
         }
@@ -89,19 +89,19 @@ impl RoleSearch<'_> {
         // T may be a period next to times t.
         let written = heading.uncertainty_of.as_ref().unwrap_or(&heading.name);
         let same = same().find(|&value| self.heading(value).name == *written).or_else(|| same().next());
-        same.or_else(|| before.filter(|_| self.candidates(place).is_empty()))
+        same.or_else(|| before.filter(|_| self.candidates(column).is_empty()))
     }
 
     /// The columns of readings of which a name can be the symbol or the initial.
-    fn candidates(&self, place: usize) -> Vec<usize> {
-        let heading = self.heading(place);
+    fn candidates(&self, candidate: usize) -> Vec<usize> {
+        let heading = self.heading(candidate);
         let (plain, _) = without_uncertainty(heading.uncertainty_of.as_ref().unwrap_or(&heading.name));
         if plain.chars().count() != 1 {
             return vec![];
         }
-        let is_of = |place: &usize| {
-            let Some(quantity) = self.quantity_of(*place) else { return false };
-            let name = self.heading(*place).name.to_lowercase();
+        let is_of = |column: &usize| {
+            let Some(quantity) = self.quantity_of(*column) else { return false };
+            let name = self.heading(*column).name.to_lowercase();
             name.starts_with(&plain) || symbols(self.needed[quantity].role).contains(&plain.as_str())
         };
         (0..self.kinds.len()).filter(is_of).collect()
@@ -110,29 +110,29 @@ impl RoleSearch<'_> {
     /// The only assignment of these columns to different columns of readings; an error if there are several.
     fn by_symbols(&self, open: &[usize]) -> Result<Vec<(usize, usize)>, MeasurementError> {
         let open: Vec<usize> = open.iter().copied().filter(|&it| !self.candidates(it).is_empty()).collect();
-        let mut found: Vec<Vec<usize>> = vec![vec![]];
-        for &place in &open {
+        let mut assignments: Vec<Vec<usize>> = vec![vec![]];
+        for &column in &open {
             let longer = |taken: Vec<usize>| {
                 let free: Vec<usize> =
-                    self.candidates(place).into_iter().filter(|value| !taken.contains(value)).collect();
+                    self.candidates(column).into_iter().filter(|value| !taken.contains(value)).collect();
                 free.into_iter().map(move |value| [taken.clone(), vec![value]].concat())
             };
-            found = found.into_iter().flat_map(longer).take(100).collect();
+            assignments = assignments.into_iter().flat_map(longer).take(100).collect();
         }
-        match &found[..] {
+        match &assignments[..] {
             [only] => Ok(open.into_iter().zip(only.iter().copied()).collect()),
             _ => Err(self.undecided(open[0])),
         }
     }
 
-    fn undecided(&self, place: usize) -> MeasurementError {
+    fn undecided(&self, column: usize) -> MeasurementError {
         let choice = |value: usize| {
             let name = self.quantity_of(value).map_or("", |quantity| self.needed[quantity].name);
-            Suggestion::new(Choice::Role, format!("{}={name}-uncertainty", place + 1))
+            Suggestion::new(Choice::Role, format!("{}={name}-uncertainty", column + 1))
         };
         MeasurementError::Undecided {
-            question: format!("{} may belong to several columns", self.describe(place)),
-            choices: self.candidates(place).into_iter().map(choice).collect(),
+            question: format!("{} may belong to several columns", self.describe(column)),
+            choices: self.candidates(column).into_iter().map(choice).collect(),
         }
     }
 }

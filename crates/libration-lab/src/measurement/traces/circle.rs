@@ -38,11 +38,11 @@ impl Circle {
         let scaled: Vec<_> =
             points.iter().map(|(x, y)| ((x - centre.0) / size, (y - centre.1) / size)).collect();
         let start = algebraic(&scaled)?;
-        let found = minimum(start, EFFORT, |circle| Ok(distances(&scaled, circle))).ok()?;
-        let Linearised { residuals, jacobian } = found.converged.then_some(found.linearised)?;
+        let solution = minimum(start, EFFORT, |circle| Ok(distances(&scaled, circle))).ok()?;
+        let Linearised { residuals, jacobian } = solution.converged.then_some(solution.linearised)?;
         let (squares, freedom) = (residuals.norm_squared(), points.len().checked_sub(3)?.max(1));
         let covariance = Design::new(&jacobian, ROUNDING).ok()?.covariance() * (squares / count(freedom));
-        let [x, y, radius] = [found.parameters[0], found.parameters[1], found.parameters[2]];
+        let [x, y, radius] = [solution.parameters[0], solution.parameters[1], solution.parameters[2]];
         let circle = Self {
             x: centre.0 + size * x,
             y: centre.1 + size * y,

@@ -31,12 +31,12 @@ impl Columns {
     ) -> Result<Vec<Self>, MeasurementError> {
         let groups = Group::all(sheet, choices)?;
         let several = groups.len() > 1;
-        let (mut found, mut first_error) = (Vec::new(), None);
+        let (mut runs, mut first_error) = (Vec::new(), None);
         for group in groups {
             let mut told = Vec::new();
             match group.columns(choices, &mut told) {
                 Ok(columns) => {
-                    found.push(columns);
+                    runs.push(columns);
                     findings.extend(told);
                 }
                 Err(error) if several => first_error = first_error.or(Some((group.run, error))),
@@ -44,13 +44,13 @@ impl Columns {
             }
         }
         match first_error {
-            Some((_, error)) if found.is_empty() => Err(error),
+            Some((_, error)) if runs.is_empty() => Err(error),
             Some((run, error)) => {
                 let run = run.unwrap_or_default();
                 findings.push(Finding::new(format!("{run} is left out: {error}"), Choice::Run));
-                Ok(found)
+                Ok(runs)
             }
-            None => Ok(found),
+            None => Ok(runs),
         }
     }
 }
@@ -59,33 +59,34 @@ impl Group<'_> {
     fn columns(&self, choices: &Choices, findings: &mut Vec<Finding>) -> Result<Columns, MeasurementError> {
         let time = self.time(choices, findings)?;
         let value = self.value(time, choices, findings)?;
-        if let Value::Column(place, _) = value {
-            self.no_gate_signal(place, choices)?;
+        if let Value::Column(column, _) = value {
+            self.no_gate_signal(column, choices)?;
         }
         let uncertainty = self.uncertainty(value, choices, findings)?;
-        let numbering = self.members.iter().copied().find(|&place| self.heading_is(place, QuantityKind::Run));
+        let numbering =
+            self.members.iter().copied().find(|&column| self.heading_is(column, QuantityKind::Run));
         Ok(Columns { run: self.run.clone(), time, value, uncertainty, numbering })
     }
 
-    fn heading_is(&self, place: usize, quantity: QuantityKind) -> bool {
-        self.sheet.channels[place].heading.is(quantity)
+    fn heading_is(&self, column: usize, quantity: QuantityKind) -> bool {
+        self.sheet.channels[column].heading.is(quantity)
     }
 
     fn all_of(&self, quantity: QuantityKind) -> Vec<usize> {
-        self.members.iter().copied().filter(|&place| self.heading_is(place, quantity)).collect()
+        self.members.iter().copied().filter(|&column| self.heading_is(column, quantity)).collect()
     }
 
     fn chosen(&self, column: Option<&Column>) -> Result<Option<usize>, MeasurementError> {
-        column.map(|column| self.sheet.place(column)).transpose()
+        column.map(|column| self.sheet.index_of(column)).transpose()
     }
 
-    fn undecided(&self, question: &str, choice: Choice, places: &[usize]) -> MeasurementError {
+    fn undecided(&self, question: &str, choice: Choice, indices: &[usize]) -> MeasurementError {
         const SHOWN: usize = 8;
-        let shown = &places[..places.len().min(SHOWN)];
-        let mut columns: Vec<String> = shown.iter().map(|&place| self.sheet.describe(place)).collect();
-        columns.extend((places.len() > SHOWN).then(|| "…".to_owned()));
+        let shown = &indices[..indices.len().min(SHOWN)];
+        let mut columns: Vec<String> = shown.iter().map(|&column| self.sheet.describe(column)).collect();
+        columns.extend((indices.len() > SHOWN).then(|| "…".to_owned()));
         let question = question.replace("{}", &columns.join(", "));
-        let choices = shown.iter().map(|place| Suggestion::new(choice, (place + 1).to_string())).collect();
+        let choices = shown.iter().map(|column| Suggestion::new(choice, (column + 1).to_string())).collect();
         MeasurementError::Undecided { question, choices }
     }
 
@@ -106,8 +107,8 @@ impl Group<'_> {
 
     /// Column of the times if none is named so: the only one that increases throughout, as no swing does.
     fn increasing(&self, findings: &mut Vec<Finding>) -> Result<usize, MeasurementError> {
-        let may = |place: &usize| {
-            !self.heading_is(*place, QuantityKind::Run) && self.sheet.channels[*place].increases()
+        let may = |column: &usize| {
+            !self.heading_is(*column, QuantityKind::Run) && self.sheet.channels[*column].increases()
         };
         let increasing: Vec<usize> = self.members.iter().copied().filter(may).collect();
         match increasing[..] {
@@ -134,21 +135,22 @@ impl Group<'_> {
         for (chosen, observable) in
             [(&choices.angle, Observable::Angle), (&choices.angular_velocity, Observable::AngularVelocity)]
         {
-            if let Some(place) = self.chosen(chosen.as_ref())? {
-                return self.no_acceleration(place).map(|()| Value::Column(place, observable));
+            if let Some(column) = self.chosen(chosen.as_ref())? {
+                return self.no_acceleration(column).map(|()| Value::Column(column, observable));
             }
         }
         if choices.x.is_some() || choices.y.is_some() {
             return self.positions(time, choices);
         }
         // What never changes is not the angle of anything that swings, where another column is.
-        let varies = |place: &usize| self.sheet.channels[*place].range().is_none_or(|(low, high)| low < high);
+        let varies =
+            |column: &usize| self.sheet.channels[*column].range().is_none_or(|(low, high)| low < high);
         let named = self.all_of(QuantityKind::Angle);
         let varying: Vec<usize> = named.iter().copied().filter(varies).collect();
         let angles = if varying.is_empty() { named } else { varying };
         let has_positions = [QuantityKind::X, QuantityKind::Y]
             .iter()
-            .all(|&axis| self.all_of(axis).iter().any(|&place| place != time));
+            .all(|&axis| self.all_of(axis).iter().any(|&column| column != time));
         match angles[..] {
             [angle] => {
                 findings.push(Finding::new(
@@ -163,17 +165,17 @@ impl Group<'_> {
         }
     }
 
-    fn no_acceleration(&self, place: usize) -> Result<(), MeasurementError> {
-        match self.heading_is(place, QuantityKind::Acceleration) {
-            true => Err(MeasurementError::Accelerations { column: self.sheet.describe(place) }),
+    fn no_acceleration(&self, column: usize) -> Result<(), MeasurementError> {
+        match self.heading_is(column, QuantityKind::Acceleration) {
+            true => Err(MeasurementError::Accelerations { column: self.sheet.describe(column) }),
             false => Ok(()),
         }
     }
 
     /// Refuses a column that changes between two levels.
-    fn no_gate_signal(&self, place: usize, choices: &Choices) -> Result<(), MeasurementError> {
-        let mut numbers: Vec<f64> = self.sheet.channels[place].numbers().flatten().collect();
-        let unit = choices.unit.or(self.sheet.channels[place].heading.unit);
+    fn no_gate_signal(&self, column: usize, choices: &Choices) -> Result<(), MeasurementError> {
+        let mut numbers: Vec<f64> = self.sheet.channels[column].numbers().flatten().collect();
+        let unit = choices.unit.or(self.sheet.channels[column].heading.unit);
         // Angles that jump by a turn at the position of rest are at two levels too.
         if let Some(unit) = unit.filter(|unit| unit.measures() == Measures::Angle) {
             numbers.iter_mut().for_each(|number| *number = unit.to_si(*number));
@@ -181,7 +183,7 @@ impl Group<'_> {
         }
         match changes_between_two_levels(&numbers) {
             true => {
-                Err(MeasurementError::GateSignal { column: self.sheet.describe(place), number: place + 1 })
+                Err(MeasurementError::GateSignal { column: self.sheet.describe(column), number: column + 1 })
             }
             false => Ok(()),
         }
@@ -189,11 +191,11 @@ impl Group<'_> {
 
     fn positions(&self, time: usize, choices: &Choices) -> Result<Value, MeasurementError> {
         let axis = |chosen: Option<&Column>, quantity, choice| match self.chosen(chosen)? {
-            Some(place) => Ok(place),
+            Some(index) => Ok(index),
             None => {
-                match self.all_of(quantity).into_iter().filter(|&place| place != time).collect::<Vec<_>>()[..]
+                match self.all_of(quantity).into_iter().filter(|&index| index != time).collect::<Vec<_>>()[..]
                 {
-                    [place] => Ok(place),
+                    [index] => Ok(index),
                     ref several => Err(self.undecided("the positions are not decided", choice, several)),
                 }
             }
@@ -211,17 +213,17 @@ impl Group<'_> {
     ) -> Result<Value, MeasurementError> {
         let mut velocities = self.all_of(QuantityKind::AngularVelocity);
         // The absolute value has lost the sign.
-        let is_absolute = |place: usize| {
-            let name = self.sheet.channels[place].heading.name.to_lowercase();
+        let is_absolute = |column: usize| {
+            let name = self.sheet.channels[column].heading.name.to_lowercase();
             ["abs", "betrag", "magnitude", "norm", "módulo", "modulo"].iter().any(|word| name.contains(word))
         };
-        velocities.retain(|&place| !is_absolute(place));
+        velocities.retain(|&column| !is_absolute(column));
         let (value, why) = match velocities[..] {
             [] => return self.unnamed(time, choices, findings),
-            [place] => (Some(Value::Column(place, Observable::AngularVelocity)), ""),
+            [column] => (Some(Value::Column(column, Observable::AngularVelocity)), ""),
             _ => match gyroscope::strongest(self.sheet, &velocities) {
-                Some(place) => (
-                    Some(Value::Column(place, Observable::AngularVelocity)),
+                Some(column) => (
+                    Some(Value::Column(column, Observable::AngularVelocity)),
                     ", since it has nearly all of the motion",
                 ),
                 None => (gyroscope::about_one_axis(self.sheet, &velocities), ""),
@@ -231,9 +233,9 @@ impl Group<'_> {
             "several columns are angular velocities, and they are not those of a turning about one axis: {}";
         let value = value.ok_or_else(|| self.undecided(question, Choice::AngularVelocity, &velocities))?;
         let text = match value {
-            Value::Axes(places, axis) => {
+            Value::Axes(axes, axis) => {
                 let [x, y, z] = axis.map(|part| format!("{part:.3}"));
-                let columns = places.map(|place| (place + 1).to_string()).join(", ");
+                let columns = axes.map(|column| (column + 1).to_string()).join(", ");
                 format!(
                     "columns {columns} are the angular velocity about the axis ({x}, {y}, {z}) of the device, about which nearly all \
                      of the motion is"
@@ -247,9 +249,9 @@ impl Group<'_> {
 
     /// The columns of numbers whose quantity is unknown.
     fn open(&self, time: usize) -> Vec<usize> {
-        let may = |place: &usize| {
-            let channel = &self.sheet.channels[*place];
-            *place != time
+        let may = |column: &usize| {
+            let channel = &self.sheet.channels[*column];
+            *column != time
                 && matches!(channel.heading.quantity, QuantityKind::Other | QuantityKind::X | QuantityKind::Y)
                 && !channel.heading.is_uncertainty
                 && channel.heading.unit_text.is_none()
@@ -268,18 +270,18 @@ impl Group<'_> {
         let is_velocity = choices.unit.is_some_and(|unit| unit.measures() == Measures::AngularVelocity);
         let is_said = choices.unit.is_some() || choices.counts_per_turn.is_some();
         match self.open(time)[..] {
-            [place] if is_said => {
+            [column] if is_said => {
                 let text =
-                    format!("{} is what was measured, since there is no other", self.sheet.describe(place));
+                    format!("{} is what was measured, since there is no other", self.sheet.describe(column));
                 findings.push(Finding::new(text, Choice::Angle));
                 Ok(Value::Column(
-                    place,
+                    column,
                     if is_velocity { Observable::AngularVelocity } else { Observable::Angle },
                 ))
             }
-            [place] => {
-                self.no_gate_signal(place, choices)?;
-                let question = format!("it is not clear what {} holds", self.sheet.describe(place));
+            [column] => {
+                self.no_gate_signal(column, choices)?;
+                let question = format!("it is not clear what {} holds", self.sheet.describe(column));
                 Err(MeasurementError::Undecided { question, choices: what_it_holds() })
             }
             [] => Err(self.nothing_known(time, choices)),
@@ -289,19 +291,19 @@ impl Group<'_> {
 
     /// The error if no column is known to be an angle, with suggestions for the others.
     fn nothing_known(&self, time: usize, choices: &Choices) -> MeasurementError {
-        if let Some(place) = self.all_of(QuantityKind::Acceleration).first() {
-            return MeasurementError::Accelerations { column: self.sheet.describe(*place) };
+        if let Some(column) = self.all_of(QuantityKind::Acceleration).first() {
+            return MeasurementError::Accelerations { column: self.sheet.describe(*column) };
         }
-        let may_be = |&place: &usize| place != time && !self.heading_is(place, QuantityKind::Gate);
+        let may_be = |&column: &usize| column != time && !self.heading_is(column, QuantityKind::Gate);
         let others: Vec<usize> = self.members.iter().copied().filter(may_be).collect();
-        let is_length = |place: &usize| {
-            let unit = self.sheet.channels[*place].heading.unit;
+        let is_length = |column: &usize| {
+            let unit = self.sheet.channels[*column].heading.unit;
             unit.is_some_and(|unit| unit.measures() == Measures::Length)
         };
         match (&others[..], &others.iter().copied().filter(is_length).collect::<Vec<_>>()[..]) {
             ([], _) => MeasurementError::OnlyTimes(self.sheet.describe(time)),
             (_, &[x, y]) => {
-                let [first, second] = [x, y].map(|place| self.sheet.describe(place));
+                let [first, second] = [x, y].map(|column| self.sheet.describe(column));
                 MeasurementError::Undecided {
                     question: format!(
                         "it is not clear which of {first} and {second} is the horizontal position"
@@ -337,19 +339,19 @@ impl Group<'_> {
         choices: &Choices,
         findings: &mut Vec<Finding>,
     ) -> Result<Option<usize>, MeasurementError> {
-        if let Some(place) = self.chosen(choices.uncertainty.as_ref())? {
-            return Ok(Some(place));
+        if let Some(column) = self.chosen(choices.uncertainty.as_ref())? {
+            return Ok(Some(column));
         }
-        let Value::Column(place, _) = value else { return Ok(None) };
-        let quantity = self.sheet.channels[place].heading.quantity;
+        let Value::Column(column, _) = value else { return Ok(None) };
+        let quantity = self.sheet.channels[column].heading.quantity;
         let belongs = |other: &usize| {
             let heading = &self.sheet.channels[*other].heading;
             let is_of_it = heading.quantity == quantity && quantity != QuantityKind::Other;
-            let follows = *other == place + 1 && heading.is_bare_uncertainty();
+            let follows = *other == column + 1 && heading.is_bare_uncertainty();
             heading.is_uncertainty && (is_of_it || follows) && self.sheet.channels[*other].count() > 0
         };
-        let found: Vec<usize> = self.members.iter().copied().filter(belongs).collect();
-        if let [uncertainty] = found[..] {
+        let uncertainties: Vec<usize> = self.members.iter().copied().filter(belongs).collect();
+        if let [uncertainty] = uncertainties[..] {
             let text = format!("{} holds the uncertainties", self.sheet.describe(uncertainty));
             findings.push(Finding::new(text, Choice::Uncertainty));
             return Ok(Some(uncertainty));
@@ -358,8 +360,8 @@ impl Group<'_> {
     }
 }
 
-fn at(choice: Choice, place: usize) -> Suggestion {
-    Suggestion::new(choice, (place + 1).to_string())
+fn at(choice: Choice, column: usize) -> Suggestion {
+    Suggestion::new(choice, (column + 1).to_string())
 }
 
 /// Suggestions for a column of unknown quantity.

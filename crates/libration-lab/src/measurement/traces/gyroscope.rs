@@ -7,26 +7,26 @@ use nalgebra::{Matrix3, Vector3};
 
 /// The axis with 99.9 % of the mean square: the others then change the rate by less than 5e-4 of it, while makers state
 /// sensitivities to 1 %.
-pub(super) fn strongest(sheet: &Sheet, places: &[usize]) -> Option<usize> {
-    let power = |&place: &usize| {
-        let numbers: Vec<f64> = sheet.channels[place].numbers().flatten().collect();
+pub(super) fn strongest(sheet: &Sheet, columns: &[usize]) -> Option<usize> {
+    let power = |&column: &usize| {
+        let numbers: Vec<f64> = sheet.channels[column].numbers().flatten().collect();
         numbers.iter().map(|number| number * number).sum::<f64>()
     };
-    let powers: Vec<f64> = places.iter().map(power).collect();
+    let powers: Vec<f64> = columns.iter().map(power).collect();
     let total: f64 = powers.iter().sum();
-    places.iter().zip(&powers).find(|(_, power)| **power > 0.999 * total).map(|(place, _)| *place)
+    columns.iter().zip(&powers).find(|(_, power)| **power > 0.999 * total).map(|(column, _)| *column)
 }
 
 /// Three axes in one unit, and the direction about which they turn together.
-pub(super) fn about_one_axis(sheet: &Sheet, places: &[usize]) -> Option<Value> {
-    let places: [usize; 3] = places.try_into().ok()?;
-    let unit = |place: usize| &sheet.channels[place].heading.unit_text;
-    if places.iter().any(|&place| unit(place) != unit(places[0])) {
+pub(super) fn about_one_axis(sheet: &Sheet, columns: &[usize]) -> Option<Value> {
+    let axes: [usize; 3] = columns.try_into().ok()?;
+    let unit = |column: usize| &sheet.channels[column].heading.unit_text;
+    if axes.iter().any(|&column| unit(column) != unit(axes[0])) {
         return None;
     }
-    let [x, y, z] = places.map(|place| sheet.channels[place].numbers());
+    let [x, y, z] = axes.map(|column| sheet.channels[column].numbers());
     let rows: Vec<[f64; 3]> = x.zip(y).zip(z).filter_map(|((x, y), z)| Some([x?, y?, z?])).collect();
-    principal_axis(&rows).map(|axis| Value::Axes(places, axis))
+    principal_axis(&rows).map(|axis| Value::Axes(axes, axis))
 }
 
 /// Fewest rows for a direction: fewer lie along some direction by chance. Of noise alone ten rows never had 95 % of their squares along one in 20
@@ -46,8 +46,8 @@ pub fn principal_axis(rows: &[[f64; 3]]) -> Option<[f64; 3]> {
         scatter + from_mean * from_mean.transpose()
     });
     let decomposition = scatter.iter().all(|part| part.is_finite()).then(|| scatter.symmetric_eigen())?;
-    let (values, place) = (decomposition.eigenvalues, decomposition.eigenvalues.imax());
-    let axis = decomposition.eigenvectors.column(place).into_owned();
+    let (values, largest) = (decomposition.eigenvalues, decomposition.eigenvalues.imax());
+    let axis = decomposition.eigenvectors.column(largest).into_owned();
     let sign = axis[axis.iamax()].signum();
-    (values[place] > 0.95 * values.sum()).then(|| (axis * sign).into())
+    (values[largest] > 0.95 * values.sum()).then(|| (axis * sign).into())
 }

@@ -46,25 +46,25 @@ impl Recording {
     /// cells that are no numbers; times that go back.
     pub fn traces(&self, choices: &Choices) -> Result<Traces, MeasurementError> {
         self.in_one_sheet(choices, |sheet| {
-            let mut found = traces_of(sheet, choices)?;
+            let mut traces = traces_of(sheet, choices)?;
             if self.sheets().len() > 1 {
                 let text = format!("the traces are those of `{}`", sheet.name);
-                found.findings.insert(0, Finding::new(text, Choice::Sheet));
+                traces.findings.insert(0, Finding::new(text, Choice::Sheet));
             }
-            Ok(found)
+            Ok(traces)
         })
     }
 }
 
 fn traces_of(sheet: &Sheet, choices: &Choices) -> Result<Traces, MeasurementError> {
-    let mut found = Traces { traces: Vec::new(), lines: Vec::new(), findings: Vec::new() };
-    for columns in Columns::of_runs(sheet, choices, &mut found.findings)? {
-        for rows in RunRows::of_runs(sheet, &columns, choices, &mut found.findings)? {
-            for (trace, lines) in rows.traces(sheet, &columns, choices, &mut found.findings)? {
-                found.traces.push(trace);
-                found.lines.push(lines);
+    let mut traces = Traces { traces: Vec::new(), lines: Vec::new(), findings: Vec::new() };
+    for columns in Columns::of_runs(sheet, choices, &mut traces.findings)? {
+        for rows in RunRows::of_runs(sheet, &columns, choices, &mut traces.findings)? {
+            for (trace, lines) in rows.traces(sheet, &columns, choices, &mut traces.findings)? {
+                traces.traces.push(trace);
+                traces.lines.push(lines);
             }
         }
     }
-    Ok(found)
+    Ok(traces)
 }

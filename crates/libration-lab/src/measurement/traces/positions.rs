@@ -17,7 +17,7 @@ const CONTRADICTS: f64 = 5.0;
 
 /// Returns an error unless both columns are in the same unit.
 pub(super) fn same_unit(sheet: &Sheet, x: usize, y: usize) -> Result<(), MeasurementError> {
-    let unit = |place: usize| sheet.channels[place].heading.unit_text.clone().unwrap_or_default();
+    let unit = |column: usize| sheet.channels[column].heading.unit_text.clone().unwrap_or_default();
     if unit(x).eq_ignore_ascii_case(&unit(y)) {
         return Ok(());
     }
@@ -46,10 +46,10 @@ pub(super) fn angles(
     let how = match pivot {
         Some(_) => contradicting.as_ref().map_or_else(
             || "as given".to_owned(),
-            |found| {
+            |fitted| {
                 format!(
                     "as given, which contradicts the circle of the positions about ({:.6}, {:.6})",
-                    found.x, found.y
+                    fitted.x, fitted.y
                 )
             },
         ),
@@ -65,19 +65,24 @@ pub(super) fn angles(
     let way = if y_is_down { "down" } else { "up" };
     tell(Finding::fact(format!("{run}y grows {way}wards, since the bob is fastest at the bottom")));
     let derivatives = || points.iter().map(|&point| circle.derivatives_at(point, y_is_down)).collect();
-    let place = [x, y];
+    let position = [x, y];
     let uncertain = match (pivot, contradicting) {
         (None, _) => Some(FittedPivot {
-            place,
+            position,
             covariance: circle.covariance,
             derivatives: derivatives(),
             contradicted_by: None,
         }),
-        (Some(_), Some(found)) => {
-            let centre = [found.x, found.y];
+        (Some(_), Some(fitted)) => {
+            let centre = [fitted.x, fitted.y];
             let apart = [centre[0] - x, centre[1] - y];
             let covariance = apart.map(|one| apart.map(|other| one * other / 3.0));
-            Some(FittedPivot { place, covariance, derivatives: derivatives(), contradicted_by: Some(centre) })
+            Some(FittedPivot {
+                position,
+                covariance,
+                derivatives: derivatives(),
+                contradicted_by: Some(centre),
+            })
         }
         (Some(_), None) => None,
     };

@@ -70,37 +70,37 @@ impl RunRows {
         name: String,
         rows: impl Iterator<Item = usize>,
     ) -> Result<Self, MeasurementError> {
-        let places = columns.value.places();
-        let mut found = Self { name, columns: vec![Vec::new(); places.len()], ..Self::default() };
+        let indices = columns.value.places();
+        let mut run = Self { name, columns: vec![Vec::new(); indices.len()], ..Self::default() };
         let mut blank = 0;
         for row in rows {
-            match found.take(sheet, columns, &places, row)? {
+            match run.take(sheet, columns, &indices, row)? {
                 Taken::Whole => {
-                    found.incomplete += blank;
+                    run.incomplete += blank;
                     blank = 0;
                 }
                 // Blank rows at the end are where a shorter run ends.
                 Taken::Blank => blank += 1,
-                Taken::Part => found.incomplete += 1,
+                Taken::Part => run.incomplete += 1,
             }
         }
-        if found.rows.is_empty() {
+        if run.rows.is_empty() {
             return Err(MeasurementError::NothingComplete(sheet.rows()));
         }
-        Ok(found)
+        Ok(run)
     }
 
     fn take(
         &mut self,
         sheet: &Sheet,
         columns: &Columns,
-        places: &[usize],
+        indices: &[usize],
         row: usize,
     ) -> Result<Taken, MeasurementError> {
         let time = sheet.number(columns.time, row)?;
         let values: Vec<Option<f64>> =
-            places.iter().map(|&place| sheet.number(place, row)).collect::<Result<_, _>>()?;
-        let uncertainty = columns.uncertainty.map(|place| sheet.number(place, row)).transpose()?;
+            indices.iter().map(|&column| sheet.number(column, row)).collect::<Result<_, _>>()?;
+        let uncertainty = columns.uncertainty.map(|column| sheet.number(column, row)).transpose()?;
         let is_blank = time.is_none() && values[0].is_none();
         let (Some(time), Some(values), false) =
             (time, values.into_iter().collect::<Option<Vec<f64>>>(), uncertainty == Some(None))
@@ -269,16 +269,16 @@ impl RunRows {
         choices: &Choices,
         tell: &mut impl FnMut(Finding),
     ) -> Result<Observable, MeasurementError> {
-        let (place, observable) = match columns.value {
-            Value::Column(place, observable) => {
+        let (index, observable) = match columns.value {
+            Value::Column(column, observable) => {
                 self.values = self.columns[0].clone();
-                (place, observable)
+                (column, observable)
             }
-            Value::Axes(places, axis) => {
+            Value::Axes(axes, axis) => {
                 let rate =
                     |row: usize| self.columns.iter().zip(axis).map(|(rates, part)| part * rates[row]).sum();
                 self.values = (0..self.rows.len()).map(rate).collect();
-                (places[0], Observable::AngularVelocity)
+                (axes[0], Observable::AngularVelocity)
             }
             Value::Positions { x, y } => {
                 positions::same_unit(sheet, x, y)?;
@@ -287,10 +287,10 @@ impl RunRows {
                 return Ok(Observable::Angle);
             }
         };
-        let scale = units::of_value(&self.values, sheet, place, observable, choices, tell)?;
+        let scale = units::of_value(&self.values, sheet, index, observable, choices, tell)?;
         self.values.iter_mut().for_each(|value| *value = scale.to_si(*value));
-        if let Some(place) = columns.uncertainty {
-            let scale = units::of_uncertainty(sheet, place, scale, choices);
+        if let Some(column) = columns.uncertainty {
+            let scale = units::of_uncertainty(sheet, column, scale, choices);
             self.uncertainties.iter_mut().for_each(|value| *value = scale.to_si(*value));
         }
         Ok(observable)
@@ -313,18 +313,23 @@ impl RunRows {
 /// The rows of each number in this column, in the order in which the numbers come.
 fn numbered(sheet: &Sheet, numbering: usize) -> Result<Vec<(f64, Vec<usize>)>, MeasurementError> {
     let mut runs: Vec<(f64, Vec<usize>)> = Vec::new();
-    let mut places: BTreeMap<u64, usize> = BTreeMap::new();
+    let mut run_indices: BTreeMap<u64, usize> = BTreeMap::new();
     for row in 0..sheet.rows() {
         let Some(number) = sheet.number(numbering, row)? else { continue };
-        let place = *places.entry(number.to_bits()).or_insert(runs.len());
-        if place == runs.len() {
+        let run = *run_indices.entry(number.to_bits()).or_insert(runs.len());
+        if run == runs.len() {
             runs.push((number, Vec::new()));
         }
-        runs[place].1.push(row);
+        runs[run].1.push(row);
     }
     if runs.len() > MOST_RUNS {
-        let place = sheet.describe(numbering);
-        return Err(MeasurementError::TooMany { what: "runs", count: runs.len(), place, limit: MOST_RUNS });
+        let location = sheet.describe(numbering);
+        return Err(MeasurementError::TooMany {
+            what: "runs",
+            count: runs.len(),
+            place: location,
+            limit: MOST_RUNS,
+        });
     }
     Ok(runs)
 }

@@ -17,7 +17,7 @@ impl<'a> Group<'a> {
         let mut runs = named_runs(sheet);
         let explicit = [&choices.angle, &choices.angular_velocity, &choices.x, &choices.y, &choices.time];
         if let Some(column) = explicit.into_iter().flatten().next() {
-            let run = &sheet.channels[sheet.place(column)?].heading.run;
+            let run = &sheet.channels[sheet.index_of(column)?].heading.run;
             runs.retain(|other| other == run);
         }
         let is_numbered = sheet.channels.iter().any(|channel| channel.heading.is(QuantityKind::Run));
@@ -40,8 +40,8 @@ impl<'a> Group<'a> {
     }
 
     fn of_run(sheet: &'a Sheet, run: Option<String>) -> Self {
-        let belongs = |place: &usize| {
-            let heading = &sheet.channels[*place].heading;
+        let belongs = |column: &usize| {
+            let heading = &sheet.channels[*column].heading;
             run.is_none() || heading.run.is_none() || heading.run == run
         };
         Self { sheet, members: (0..sheet.channels.len()).filter(belongs).collect(), run }

@@ -53,11 +53,11 @@ impl Sequence {
         let steps: Vec<f64> = rows.windows(2).map(|pair| times[pair[1]] - times[pair[0]]).collect();
         let room = ROOM * lower_median(steps).unwrap_or(0.0);
         for row in stray {
-            let place = rows.partition_point(|&other| times[other] < times[row]);
+            let index = rows.partition_point(|&other| times[other] < times[row]);
             let is_far =
                 |other: Option<&usize>| other.is_some_and(|&other| (times[other] - times[row]).abs() >= room);
-            if place > 0 && is_far(rows.get(place - 1)) && is_far(rows.get(place)) {
-                rows.insert(place, row);
+            if index > 0 && is_far(rows.get(index - 1)) && is_far(rows.get(index)) {
+                rows.insert(index, row);
                 self.moved.push(row);
             } else {
                 self.left_out.push(row);

@@ -53,6 +53,6 @@ pub(super) fn even(
     Ok(Some(ReplacedTimes { times: grid.times(), relative_uncertainty }))
 }
 
-fn is_in_order(places: &[usize]) -> bool {
-    places.windows(2).all(|pair| pair[0] < pair[1])
+fn is_in_order(indices: &[usize]) -> bool {
+    indices.windows(2).all(|pair| pair[0] < pair[1])
 }

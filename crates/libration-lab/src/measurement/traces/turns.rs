@@ -62,9 +62,10 @@ fn jump(before: f64, step: f64, neighbours: [Option<&f64>; 2]) -> f64 {
         return if neighbours.into_iter().flatten().any(is_spike) { 0.0 } else { nearest };
     }
     let whole = ((step - before) / TAU).round();
-    let own = step - whole * TAU;
-    let goes_on = |after: &f64| (after - own - TAU * ((after - own) / TAU).round()).abs() < QUARTER;
-    if (own - before).abs() < QUARTER && neighbours[1].is_some_and(goes_on) { whole } else { 0.0 }
+    let remainder = step - whole * TAU;
+    let goes_on =
+        |after: &f64| (after - remainder - TAU * ((after - remainder) / TAU).round()).abs() < QUARTER;
+    if (remainder - before).abs() < QUARTER && neighbours[1].is_some_and(goes_on) { whole } else { 0.0 }
 }
 
 fn is_nearly_whole(step: f64) -> bool {

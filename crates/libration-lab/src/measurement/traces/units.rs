@@ -29,11 +29,11 @@ impl Scale {
 pub(in crate::measurement) fn of_times(
     times: &[f64],
     sheet: &Sheet,
-    place: usize,
+    column: usize,
     choices: &Choices,
     tell: &mut impl FnMut(Finding),
 ) -> Result<Unit, MeasurementError> {
-    let heading = &sheet.channels[place].heading;
+    let heading = &sheet.channels[column].heading;
     let unit = match (choices.time_unit, heading.unit, &heading.unit_text) {
         (Some(unit), ..) => unit,
         (None, Some(unit), _) if unit.measures() == Measures::Time => {
@@ -49,7 +49,7 @@ pub(in crate::measurement) fn of_times(
                 Some(text) => format!("`{text}` is not a known unit of time"),
                 None => format!(
                     "the unit of time of {} is not given, and steps of {} s are not likely",
-                    sheet.describe(place),
+                    sheet.describe(column),
                     median_step(times)
                 ),
             };
@@ -81,7 +81,7 @@ fn median_step(times: &[f64]) -> f64 {
 pub(super) fn of_value(
     values: &[f64],
     sheet: &Sheet,
-    place: usize,
+    column: usize,
     observable: Observable,
     choices: &Choices,
     tell: &mut impl FnMut(Finding),
@@ -89,29 +89,29 @@ pub(super) fn of_value(
     if let Some(counts) = choices.counts_per_turn.filter(|_| observable == Observable::Angle) {
         return Ok(Scale::Counts(counts));
     }
-    let heading = &sheet.channels[place].heading;
+    let heading = &sheet.channels[column].heading;
     let written = heading.unit.filter(|_| choices.unit.is_none());
     if let Some(unit) = choices.unit.or(written) {
         if written.is_some() {
             tell(Finding::new(
-                format!("{} is in {unit}, as the header says", sheet.describe(place)),
+                format!("{} is in {unit}, as the header says", sheet.describe(column)),
                 Choice::Unit,
             ));
-            doubt(values, sheet, place, unit).into_iter().for_each(tell);
+            doubt(values, sheet, column, unit).into_iter().for_each(tell);
         }
-        return in_unit(unit, sheet, place, observable);
+        return in_unit(unit, sheet, column, observable);
     }
     if heading.unit_text.is_none() && observable == Observable::Angle && only_degrees_fit(values) {
         let text = format!(
             "{} is in degrees, since it swings by more than a turn of radians",
-            sheet.describe(place)
+            sheet.describe(column)
         );
         tell(Finding::new(text, Choice::Unit));
         return Ok(Scale::Unit(Unit::Degree));
     }
     let question = match &heading.unit_text {
         Some(text) => format!("`{text}` is not a known unit of {}", name(observable)),
-        None => format!("the unit of {} is not given", sheet.describe(place)),
+        None => format!("the unit of {} is not given", sheet.describe(column)),
     };
     let fits = |suggestion: &Suggestion| {
         suggestion.value.ends_with("/s") == (observable == Observable::AngularVelocity)
@@ -120,24 +120,26 @@ pub(super) fn of_value(
 }
 
 /// Finding about an angle in radians by its header that swings as only degrees can.
-fn doubt(values: &[f64], sheet: &Sheet, place: usize, unit: Unit) -> Option<Finding> {
+fn doubt(values: &[f64], sheet: &Sheet, column: usize, unit: Unit) -> Option<Finding> {
     (unit == Unit::Radian && only_degrees_fit(values)).then(|| {
         let ends = |end: fn(f64, f64) -> f64| values.iter().copied().reduce(end).unwrap_or(f64::NAN);
         let half = 0.5 * (ends(f64::max) - ends(f64::min));
         let text = format!(
             "{} swings by {half:.0} to either side, which no pendulum does in radians: its header is doubtful, these are degrees",
-            sheet.describe(place)
+            sheet.describe(column)
         );
         Finding::new(text, Choice::Unit)
     })
 }
 
 /// The unit of uncertainties: that of their values, unless their header names another.
-pub(super) fn of_uncertainty(sheet: &Sheet, place: usize, of_values: Scale, choices: &Choices) -> Scale {
-    let own = sheet.channels[place].heading.unit.filter(|unit| *unit != Unit::Count);
-    match (own, of_values) {
-        (Some(own), Scale::Unit(unit)) if choices.unit.is_none() && own.measures() == unit.measures() => {
-            Scale::Unit(own)
+pub(super) fn of_uncertainty(sheet: &Sheet, column: usize, of_values: Scale, choices: &Choices) -> Scale {
+    let stated = sheet.channels[column].heading.unit.filter(|unit| *unit != Unit::Count);
+    match (stated, of_values) {
+        (Some(own_unit), Scale::Unit(unit))
+            if choices.unit.is_none() && own_unit.measures() == unit.measures() =>
+        {
+            Scale::Unit(own_unit)
         }
         _ => of_values,
     }
@@ -146,14 +148,14 @@ pub(super) fn of_uncertainty(sheet: &Sheet, place: usize, of_values: Scale, choi
 fn in_unit(
     unit: Unit,
     sheet: &Sheet,
-    place: usize,
+    column: usize,
     observable: Observable,
 ) -> Result<Scale, MeasurementError> {
     match (unit.measures(), observable) {
         (Measures::Angle, Observable::Angle) if unit == Unit::Count => {
             let question = format!(
                 "{} is in counts, and the number of counts per turn is not given",
-                sheet.describe(place)
+                sheet.describe(column)
             );
             Err(MeasurementError::Undecided {
                 question,

@@ -18,9 +18,9 @@ impl Value {
     /// The columns it needs.
     pub(super) fn places(self) -> Vec<usize> {
         match self {
-            Self::Column(place, _) => vec![place],
+            Self::Column(column, _) => vec![column],
             Self::Positions { x, y } => vec![x, y],
-            Self::Axes(places, _) => places.to_vec(),
+            Self::Axes(axes, _) => axes.to_vec(),
         }
     }
 }

@@ -40,11 +40,11 @@ impl<'a> Laboratory<'a> {
         let (extent, settled) = survey(&plain, start, schedule, effort, watch)?;
         let rests = extent.widths().iter().all(|width| *width == 0.0);
         let rest = rests.then_some(Regularity::AtRest);
-        let known = theorem(equation).map(Regularity::Theorem).or(rest);
+        let regularity = theorem(equation).map(Regularity::Theorem).or(rest);
         let units = extent.units(&angles);
         let unconfined =
             angles.iter().zip(cyclic(equation)).map(|(angle, cyclic)| *angle || cyclic).collect();
-        Ok(Self { plain, extended, schedule, effort, units, unconfined, known, settled })
+        Ok(Self { plain, extended, schedule, effort, units, unconfined, known: regularity, settled })
     }
 
     /// Measures the requested motion.
@@ -118,10 +118,10 @@ impl<'a> Laboratory<'a> {
     fn displaced(&self, start: &Moment, neighbour: usize) -> Moment {
         /// Larger than what regular motions make of rounding errors, small enough for the neighbours to share the motion's fate.
         const BESIDE: f64 = 1e-6;
-        let places = self.units.iter().zip(1..);
-        let moves = places.map(|(unit, place)| {
-            let opposite = neighbour.is_multiple_of(2) && u32::is_multiple_of(place, 2);
-            let size = BESIDE * unit * unequal_part(place);
+        let numbered = self.units.iter().zip(1..);
+        let moves = numbered.map(|(unit, number)| {
+            let opposite = neighbour.is_multiple_of(2) && u32::is_multiple_of(number, 2);
+            let size = BESIDE * unit * unequal_part(number);
             if opposite { -size } else { size }
         });
         let state = start.state.iter().zip(moves).map(|(value, by)| value + by).collect();

@@ -95,8 +95,8 @@ pub enum LyapunovError {
 /// let start = Moment { time: 0.0, state: vec![0.2, 0.0] };
 /// let effort = Effort::to_tolerance(1e-12);
 /// let schedule = Schedule::natural(&pendulum, &start, 400, &effort)?;
-/// let found = lyapunov_exponent(&pendulum, &start, &schedule, &effort, &Quiet)?;
-/// assert_eq!(found.verdict, LyapunovVerdict::Chaotic);
+/// let exponent = lyapunov_exponent(&pendulum, &start, &schedule, &effort, &Quiet)?;
+/// assert_eq!(exponent.verdict, LyapunovVerdict::Chaotic);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///

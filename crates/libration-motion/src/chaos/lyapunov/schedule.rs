@@ -33,8 +33,9 @@ impl Schedule {
         effort: &Effort,
     ) -> Result<Self, LyapunovError> {
         const TO_SETTLE: f64 = 100.0;
-        let own = period_of_motion(equation, start, effort)?;
-        let interval = drive_period(equation).map_or(own, |period| period / (period / own).ceil().max(1.0));
+        let of_motion = period_of_motion(equation, start, effort)?;
+        let interval =
+            drive_period(equation).map_or(of_motion, |period| period / (period / of_motion).ceil().max(1.0));
         Ok(Self { transient: TO_SETTLE * interval, interval, intervals })
     }
 

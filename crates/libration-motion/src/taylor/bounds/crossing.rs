@@ -43,13 +43,13 @@ impl Crossing {
     pub(in crate::taylor) fn all(system: &System, event: &Occurrence) -> Vec<Self> {
         let formula = &system.events()[event.event].formula;
         // If a formula touches zero, its rate of change passes through zero.
-        let own = match event.contact {
+        let whole = match event.contact {
             Contact::Grazing => Self::new(system, &rate_of_change(system, formula)),
             _ => Self::new(system, formula),
         };
-        let Some(own) = own else { return vec![] };
+        let Some(crossing) = whole else { return vec![] };
         let kinks = arguments(formula).into_iter().filter_map(|argument| Self::new(system, &argument));
-        kinks.chain([own]).collect()
+        kinks.chain([crossing]).collect()
     }
 
     /// The index of the first of these formulas that is zero in a state, to rounding errors or within this time of it, or else of the last.
@@ -103,14 +103,14 @@ impl Crossing {
 
 /// The arguments of the |…| and signs in a formula, roots of squares included.
 fn arguments(formula: &Expression) -> Vec<Expression> {
-    let own = match formula {
+    let argument = match formula {
         Expression::Call(Function::Sqrt, base) if let Some(size) = root_of_square(base) => {
             return arguments(&size);
         }
         Expression::Call(Function::Abs | Function::Sign, argument) => Some(Expression::clone(argument)),
         _ => None,
     };
-    own.into_iter().chain(formula.parts().flat_map(arguments)).collect()
+    argument.into_iter().chain(formula.parts().flat_map(arguments)).collect()
 }
 
 /// The rate of change of a formula along the motion, as a formula.

@@ -133,11 +133,11 @@ impl StateErrors {
         let same = |(number, contact, _): &(usize, Contact, Vec<Crossing>)| {
             *number == event.event && touches(*contact) == touches(event.contact)
         };
-        let place = self.crossings.iter().position(same).unwrap_or_else(|| {
+        let index = self.crossings.iter().position(same).unwrap_or_else(|| {
             self.crossings.push((event.event, event.contact, Crossing::all(system, event)));
             self.crossings.len() - 1
         });
-        &mut self.crossings[place].2
+        &mut self.crossings[index].2
     }
 }
 
@@ -161,7 +161,7 @@ impl ZeroPassage {
             return scale * spread.of_sum(gradient) + along.abs() * late;
         }
         let factors = gradient.iter().zip(&passing.gradient);
-        let factors = factors.map(|(own, slope)| own - along * slope / passing.rate);
+        let factors = factors.map(|(derivative, slope)| derivative - along * slope / passing.rate);
         scale * spread.of_sum(&factors.collect::<Vec<_>>()) + (along * error / passing.rate).abs()
     }
 

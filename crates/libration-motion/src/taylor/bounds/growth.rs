@@ -21,7 +21,7 @@ pub(in crate::taylor) fn growths(system: &System, moments: &[&Moment], apart: &[
     }
     let ends = integrate_many(system, &trajectories, &EFFORT, &Quiet);
     let pairs = trajectories.chunks(2).zip(ends.chunks(2)).enumerate();
-    let columns = pairs.map(|(place, (from, to))| column(from, to, place % apart.len()));
+    let columns = pairs.map(|(index, (from, to))| column(from, to, index % apart.len()));
     let columns: Vec<Vec<f64>> = columns.collect::<Option<_>>()?;
     Some(columns.chunks(apart.len().max(1)).map(transposed).collect())
 }

@@ -28,8 +28,8 @@ impl Outcome {
     fn at_given_time(end: &Moment) -> Self {
         let numbers = end.state.len();
         let row = |result: usize| (0..numbers).map(|number| f64::from(u8::from(number == result))).collect();
-        let own = end.state.iter().map(|value| ROUNDING * value.abs()).chain([0.0]).collect();
-        Self { slopes: (0..=numbers).map(row).collect(), own }
+        let errors = end.state.iter().map(|value| ROUNDING * value.abs()).chain([0.0]).collect();
+        Self { slopes: (0..=numbers).map(row).collect(), own: errors }
     }
 
     /// The outcome for a passage: the time changes by minus the deviation of the formula divided by its rate, and the state with the time.
@@ -37,13 +37,14 @@ impl Outcome {
         let time: Vec<f64> = passing.gradient.iter().map(|slope| -slope / passing.rate).collect();
         let late = (passing.error / passing.rate).abs() + ROUNDING * end.time.abs();
         let row = |(number, speed): (usize, &f64)| {
-            let own = |(column, slope): (usize, &f64)| f64::from(u8::from(column == number)) + speed * slope;
-            time.iter().enumerate().map(own).collect()
+            let entry =
+                |(column, slope): (usize, &f64)| f64::from(u8::from(column == number)) + speed * slope;
+            time.iter().enumerate().map(entry).collect()
         };
         let slopes = passing.speeds.iter().enumerate().map(row).chain([time.clone()]).collect();
-        let own = passing.speeds.iter().zip(&end.state);
-        let own =
-            own.map(|(speed, value)| late * speed.abs() + ROUNDING * value.abs()).chain([late]).collect();
-        Self { slopes, own }
+        let moving = passing.speeds.iter().zip(&end.state);
+        let errors =
+            moving.map(|(speed, value)| late * speed.abs() + ROUNDING * value.abs()).chain([late]).collect();
+        Self { slopes, own: errors }
     }
 }

@@ -56,8 +56,8 @@ impl<'a> SampledErrors<'a> {
         let (start, effort) = (start.clone(), *effort);
         let mut new = Self { system, start, effort, formulas, sides: [None, None], times, samples, events };
         let at_start = new.begun().at_start();
-        let own = new.times.iter().filter(|time| (*time - new.start.time).abs() <= 0.0);
-        new.samples.extend(own.map(|time| (time.to_bits(), at_start.clone())));
+        let starts = new.times.iter().filter(|time| (*time - new.start.time).abs() <= 0.0);
+        new.samples.extend(starts.map(|time| (time.to_bits(), at_start.clone())));
         new
     }
 
@@ -72,13 +72,14 @@ impl<'a> SampledErrors<'a> {
         for &time in self.times[first..].iter().take_while(|time| **time <= high) {
             if !self.samples.contains_key(&time.to_bits()) {
                 let sample = Moment { time, state: step.state_at(time) };
-                let found = errors.of_sample(accepted, &sample);
-                self.samples.extend(found.map(|found| (time.to_bits(), found)));
+                let of_sample = errors.of_sample(accepted, &sample);
+                self.samples.extend(of_sample.map(|sample_errors| (time.to_bits(), sample_errors)));
             }
         }
         for event in accepted.events() {
-            let found = errors.of_event(accepted, event);
-            self.events.extend(found.map(|found| ((event.time.to_bits(), event.event), found)));
+            let of_event = errors.of_event(accepted, event);
+            self.events
+                .extend(of_event.map(|event_errors| ((event.time.to_bits(), event.event), event_errors)));
         }
         self.sides[side] = Some(errors);
     }

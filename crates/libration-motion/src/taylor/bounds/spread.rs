@@ -63,12 +63,12 @@ impl Spread {
         let mut in_units = flow.clone();
         let mut units = vec![0; self.units.len()];
         for (row, unit) in units.iter_mut().enumerate() {
-            let known = |(number, entry): (usize, &f64)| {
+            let exponent_of = |(number, entry): (usize, &f64)| {
                 exponent(*entry)
                     .filter(|_| self.deviates(number))
                     .map(|exponent| exponent + self.units[number])
             };
-            *unit = flow.row(row).iter().enumerate().filter_map(known).max().unwrap_or(0);
+            *unit = flow.row(row).iter().enumerate().filter_map(exponent_of).max().unwrap_or(0);
             let entries = in_units.row_mut(row).iter_mut().zip(&self.units).enumerate();
             for (number, (entry, before)) in entries {
                 *entry = if self.deviates(number) { libm::ldexp(*entry, before - *unit) } else { 0.0 };
@@ -95,13 +95,13 @@ impl Spread {
     /// Adds the covariance of other errors.
     pub(in crate::taylor) fn add(&mut self, mut other: Self) {
         for number in 0..self.units.len() {
-            let [own, others] = [self.units[number], other.units[number]];
+            let [unit_here, others] = [self.units[number], other.units[number]];
             let unit = match [self.deviates(number), other.deviates(number)] {
-                [true, false] => own,
+                [true, false] => unit_here,
                 [false, true] => others,
-                _ => own.max(others),
+                _ => unit_here.max(others),
             };
-            self.change_unit(number, unit - own);
+            self.change_unit(number, unit - unit_here);
             other.change_unit(number, unit - others);
         }
         self.squares.add(1.0, &other.squares);

@@ -248,8 +248,11 @@ impl StateErrors {
         for (number, added) in self.added.iter_mut().enumerate() {
             let sizes = SizesOfTerms::new(step, number, length);
             // Steps that pass a position without a series have two terms and a separate error.
-            let own = || if self.passes { self.tolerance * terms(step, number, 1, length) } else { 0.0 };
-            *added = rounding * sizes.rounded + sizes.left_out.unwrap_or_else(own) + underflow(step, number);
+            let truncation =
+                || if self.passes { self.tolerance * terms(step, number, 1, length) } else { 0.0 };
+            *added = rounding * sizes.rounded
+                + sizes.left_out.unwrap_or_else(truncation)
+                + underflow(step, number);
         }
     }
 

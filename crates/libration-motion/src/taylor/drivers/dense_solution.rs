@@ -78,11 +78,11 @@ impl DenseSolution {
     /// The step that contains the time, or the nearest one.
     pub(crate) fn step_at(&self, time: f64) -> Option<Step<'_>> {
         let [start, end] = self.span()?;
-        let place = self.steps.partition_point(|step| match end < start {
+        let index = self.steps.partition_point(|step| match end < start {
             true => step.step().end() > time,
             false => step.step().end() < time,
         });
-        self.steps.get(place).or(self.steps.last()).map(OwnedStep::step)
+        self.steps.get(index).or(self.steps.last()).map(OwnedStep::step)
     }
 }
 

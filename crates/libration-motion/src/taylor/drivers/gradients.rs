@@ -38,8 +38,8 @@ impl Gradients {
     /// The same formulas for a state that is integrated together with its sensitivities.
     #[must_use]
     pub fn among(self, sensitivities: &Sensitivities) -> Self {
-        let places = (0..self.places.len()).map(|component| sensitivities.place(0, component)).collect();
-        Self { places, ..self }
+        let slots = (0..self.places.len()).map(|component| sensitivities.place(0, component)).collect();
+        Self { places: slots, ..self }
     }
 
     /// The number of formulas.
@@ -82,10 +82,10 @@ impl Gradients {
         let error = |(formula, rest): (usize, f64)| {
             let mut gradient = vec![0.0; at.state.len()];
             let mut rounded = 0.0;
-            for (component, place) in self.places.iter().enumerate() {
+            for (component, number) in self.places.iter().enumerate() {
                 if off[component].abs() > 0.0 {
-                    gradient[*place] = here.slopes[formula][component];
-                    rounded += ROUNDING * (gradient[*place] * inputs[component]).abs();
+                    gradient[*number] = here.slopes[formula][component];
+                    rounded += ROUNDING * (gradient[*number] * inputs[component]).abs();
                 }
             }
             let by_time = here.slopes[formula][self.places.len()];
@@ -95,7 +95,7 @@ impl Gradients {
     }
 
     fn inputs_at(&self, moment: &Moment) -> Vec<f64> {
-        self.places.iter().map(|place| moment.state[*place]).chain([moment.time]).collect()
+        self.places.iter().map(|number| moment.state[*number]).chain([moment.time]).collect()
     }
 
     fn evaluated(&mut self, inputs: &[f64]) -> Evaluated {

@@ -219,11 +219,11 @@ impl<const N: usize> Stepper<'_, N> {
         let exact = expander.accelerations(scratch, time, &state, surroundings);
         let parts = exact.enumerate().map(|(i, exact)| {
             let driven = layout.driven(i);
-            let own = step.slope_at(driven, time);
+            let slope = step.slope_at(driven, time);
             let held = if layout.is_velocity(driven) { step.coefficient(driven, 0).abs() } else { 0.0 };
-            let speed = held.max((own * length).abs());
-            let rate = (length.abs() / speed).max(1.0 / exact[lane].abs().max(own.abs()));
-            let error = (exact[lane] - own).abs();
+            let speed = held.max((slope * length).abs());
+            let rate = (length.abs() / speed).max(1.0 / exact[lane].abs().max(slope.abs()));
+            let error = (exact[lane] - slope).abs();
             if error == 0.0 { 0.0 } else { error * rate * allowances[i].weight }
         });
         parts.fold(0.0, larger_or_nan)

@@ -140,7 +140,7 @@ impl<'a> PartialSolution<'a> {
         let goal = self.trajectory.times.last().copied().unwrap_or(step.end());
         let is_last = (goal - step.end()) * length.signum() <= 0.0;
         let constants = [&self.trajectory.parameters[..], signs].concat();
-        let mut found: Vec<(f64, usize, Contact)> = vec![];
+        let mut zeros: Vec<(f64, usize, Contact)> = vec![];
         for (event, contacts) in self.contacts.iter_mut().enumerate() {
             let whole = || Part { start: step.start(), length, coefficients: formula(event) };
             let sharp = self.system.sharp(event);
@@ -162,11 +162,11 @@ impl<'a> PartialSolution<'a> {
                 let error_at_start = || event_error_at_start(self.system, self.trajectory, event);
                 let all = contacts.zeros_in(&stretch, error_at_start).into_iter();
                 let wanted = all.filter(|(_, contact)| self.system.events()[event].counts(*contact));
-                found.extend(wanted.map(|(time, contact)| (time, event, contact)));
+                zeros.extend(wanted.map(|(time, contact)| (time, event, contact)));
             }
         }
-        found.sort_by(|a, b| if length < 0.0 { b.0.total_cmp(&a.0) } else { a.0.total_cmp(&b.0) });
-        for (time, event, contact) in found {
+        zeros.sort_by(|a, b| if length < 0.0 { b.0.total_cmp(&a.0) } else { a.0.total_cmp(&b.0) });
+        for (time, event, contact) in zeros {
             let state = step.state_at(time);
             self.events.push(Occurrence { event, time, state: state.clone(), contact });
             let passed = &mut self.contacts[event].found;

@@ -86,8 +86,8 @@ impl Sensitivities {
         if let Some(argument) = jump(&equation.with(values)?) {
             return Err(SensitivityError::Jump(argument));
         }
-        let own = StateLayout::new(equation);
-        let state_names = own.symbols(equation.variables());
+        let layout = StateLayout::new(equation);
+        let state_names = layout.symbols(equation.variables());
         let state_names: Vec<String> = state_names.iter().map(ToString::to_string).collect();
         let parameters: Vec<String> = equation.parameters().into_iter().collect();
         if let Some(twice) =
@@ -95,15 +95,15 @@ impl Sensitivities {
         {
             return Err(SensitivityError::Twice((*twice).to_owned()));
         }
-        let known: Vec<String> = [&parameters[..], &state_names].concat();
-        if let Some(name) = to.iter().find(|name| known.iter().all(|known| known != *name)) {
-            return Err(SensitivityError::Unknown { name: (*name).to_owned(), known });
+        let names: Vec<String> = [&parameters[..], &state_names].concat();
+        if let Some(name) = to.iter().find(|name| names.iter().all(|listed| listed != *name)) {
+            return Err(SensitivityError::Unknown { name: (*name).to_owned(), known: names });
         }
         let (by_parameters, by_start): (Vec<&str>, Vec<&str>) =
-            to.iter().partition(|name| parameters.iter().any(|known| known == *name));
+            to.iter().partition(|name| parameters.iter().any(|other| other == *name));
         let copies: Vec<&str> = [&by_parameters[..], &by_start].concat();
         let origin = |name: &&str| {
-            let initial = state_names.iter().position(|known| known == name);
+            let initial = state_names.iter().position(|component| component == name);
             let copy = 1 + copies.iter().position(|other| other == name).unwrap_or(0);
             let name = if initial.is_some() { format!("{name}(0)") } else { (*name).to_owned() };
             Origin { name, copy, initial }
@@ -114,7 +114,7 @@ impl Sensitivities {
         let values: Vec<_> = values.iter().filter(|(name, _)| left.contains(*name)).cloned().collect();
         let equation = with_all.with(&values)?;
         let all = StateLayout::new(&equation);
-        Ok(Self { equation, own, all, state_names, origins })
+        Ok(Self { equation, own: layout, all, state_names, origins })
     }
 
     /// The equations of motion and derivatives.

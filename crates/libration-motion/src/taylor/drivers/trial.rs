@@ -133,7 +133,7 @@ impl<const N: usize> Stepper<'_, N> {
         let length = (end - self.block.start[lane]).abs();
         let units = length / self.block.unit[lane];
         let layout = self.block.layout();
-        let own: Vec<f64> =
+        let slopes: Vec<f64> =
             (0..layout.coordinates()).map(|i| step.slope_at(layout.driven(i), time)).collect();
         let absolute = self.effort.absolute;
         let sizes: Vec<f64> = (0..layout.coordinates())
@@ -142,11 +142,12 @@ impl<const N: usize> Stepper<'_, N> {
                 let [zeroth, first, second] = [0, 1, 2].map(|n| step.coefficient(driven, n).abs());
                 let held = if layout.is_velocity(driven) { zeroth } else { 0.0 };
                 let floor = absolute / self.allowances[i].relative;
-                size_of([held, first, second], (own[i] * length).abs(), units, floor)
+                size_of([held, first, second], (slopes[i] * length).abs(), units, floor)
             })
             .collect();
         let exact = self.accelerations(lane, time, &state);
-        let mut errors: Vec<f64> = exact.iter().zip(&own).map(|(exact, own)| (exact - own).abs()).collect();
+        let mut errors: Vec<f64> =
+            exact.iter().zip(&slopes).map(|(exact, slope)| (exact - slope).abs()).collect();
         let weights: Vec<f64> = self.allowances.iter().map(|allowance| allowance.weight).collect();
         let misfit = |errors: &[f64]| {
             let parts = errors.iter().zip(&sizes).zip(&weights);
@@ -263,14 +264,14 @@ impl<const N: usize> Kernel for StepTrials<'_, '_, N> {
             let driven = layout.driven(i);
             let is_velocity = layout.is_velocity(driven);
             let series = block.series(driven);
-            let own = sum(&block[expander.acceleration(i)][..expander.plan.order], &units);
+            let slope = sum(&block[expander.acceleration(i)][..expander.plan.order], &units);
             let exact = &scratch[expander.acceleration(i)][0];
             let floor = effort.absolute / allowances[i].relative;
             misfits = lanes(|lane| {
                 let held = if is_velocity { series[0][lane].abs() } else { 0.0 };
                 let first = [held, series[1][lane].abs(), series[2][lane].abs()];
-                let size = size_of(first, (own[lane] * length[lane]).abs(), units[lane].abs(), floor);
-                let error = (exact[lane] - own[lane]).abs();
+                let size = size_of(first, (slope[lane] * length[lane]).abs(), units[lane].abs(), floor);
+                let error = (exact[lane] - slope[lane]).abs();
                 larger_or_nan(misfits[lane], part_of(error * length[lane], size) * allowances[i].weight)
             });
         }

@@ -36,15 +36,15 @@ pub(in crate::taylor) struct Boundary<P> {
 /// The boundaries of the first `formulas` formulas on a tape. The signs of |…| are the inputs from
 /// `first_sign` on; steps end at the zeros of a |…| anyway, where the sign is multiplied by the argument.
 pub(in crate::taylor) fn boundaries(tape: &Tape, formulas: usize, first_sign: usize) -> Vec<Boundary<usize>> {
-    let mut found = vec![];
+    let mut boundaries = vec![];
     let mut add = |of: usize, forbidden: Forbidden| {
         let boundary = Boundary { of, forbidden };
-        if !tape.is_constant(of) && !found.contains(&boundary) {
-            found.push(boundary);
+        if !tape.is_constant(of) && !boundaries.contains(&boundary) {
+            boundaries.push(boundary);
         }
     };
-    for place in reached(tape, formulas) {
-        let divisor = match tape.operations()[place] {
+    for slot in reached(tape, formulas) {
+        let divisor = match tape.operations()[slot] {
             Operation::Divide(_, divisor) => divisor,
             // Powers with natural exponents are products.
             Operation::Power(base, _) => base,
@@ -59,7 +59,7 @@ pub(in crate::taylor) fn boundaries(tape: &Tape, formulas: usize, first_sign: us
             add(zero, Forbidden::Zero);
         }
     }
-    found
+    boundaries
 }
 
 /// The slots on which the first `formulas` formulas depend.
@@ -69,17 +69,17 @@ pub(in crate::taylor) fn reached(tape: &Tape, formulas: usize) -> Vec<usize> {
         reached[result] = true;
     }
     // The operands of an instruction have smaller slots than the instruction.
-    for place in (0..reached.len()).rev() {
-        if reached[place] {
-            tape.operands(place).into_iter().for_each(|operand| reached[operand] = true);
+    for slot in (0..reached.len()).rev() {
+        if reached[slot] {
+            tape.operands(slot).into_iter().for_each(|operand| reached[operand] = true);
         }
     }
-    (0..reached.len()).filter(|&place| reached[place]).collect()
+    (0..reached.len()).filter(|&slot| reached[slot]).collect()
 }
 
 /// The slots that are zero where this one is, as simple zeros as far as the formula shows.
 fn zeros(tape: &Tape, place: usize, first_sign: usize) -> Vec<usize> {
-    let is_sign = |place: usize| matches!(tape.operations()[place], Operation::Input(n) if n >= first_sign);
+    let is_sign = |slot: usize| matches!(tape.operations()[slot], Operation::Input(n) if n >= first_sign);
     match tape.operations()[place] {
         Operation::Multiply(a, b) if is_sign(a) || is_sign(b) => vec![],
         Operation::Multiply(a, b) => [zeros(tape, a, first_sign), zeros(tape, b, first_sign)].concat(),

@@ -159,19 +159,19 @@ impl Contacts {
             return self.comes_to_rest(stretch);
         }
         let blur = stretch.blur();
-        let mut found = self.at_start(stretch, blur, error_at_start);
+        let mut zeros = self.at_start(stretch, blur, error_at_start);
         let is_kinked = stretch.rounding.is_some();
         if !(self.near && is_kinked) && stretch.keeps_away(blur) {
             self.near = false;
-            return found;
+            return zeros;
         }
-        self.inside(stretch, blur, &mut found);
+        self.inside(stretch, blur, &mut zeros);
         self.near = stretch.at(1.0).abs() <= blur;
-        if let Some((time, _)) = found.last() {
+        if let Some((time, _)) = zeros.last() {
             self.last = *time;
         }
-        found.extend(self.at_end(stretch));
-        found
+        zeros.extend(self.at_end(stretch));
+        zeros
     }
 
     /// The crossing of a formula that is close to zero at the end of the motion, which no further step shows.
@@ -186,9 +186,9 @@ impl Contacts {
     /// Handles a formula that vanishes throughout a step: the event is the transition to zero.
     fn comes_to_rest(&mut self, stretch: &Stretch<'_>) -> Vec<(f64, Contact)> {
         self.begun = true;
-        let known = self.just_found(stretch, stretch.start);
+        let is_repeated = self.just_found(stretch, stretch.start);
         self.near = false;
-        let side = self.side.take().filter(|_| !known);
+        let side = self.side.take().filter(|_| !is_repeated);
         side.map(|side| (stretch.start, crossing(-side))).into_iter().collect()
     }
 

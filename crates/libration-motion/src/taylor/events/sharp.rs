@@ -65,7 +65,7 @@ impl SharpFormula {
     pub(in crate::taylor) fn new(formula: &Expression, inputs: &[Symbol]) -> Option<Self> {
         let tape = Tape::new(&[formula], inputs).ok()?;
         let mut steep = steep_places(&tape, 1, ORDER);
-        let divisors = reached(&tape, 1).into_iter().filter_map(|place| match tape.operations()[place] {
+        let divisors = reached(&tape, 1).into_iter().filter_map(|slot| match tape.operations()[slot] {
             Operation::Divide(_, divisor) if !tape.is_constant(divisor) => Some(Steep::divisor(divisor)),
             _ => None,
         });

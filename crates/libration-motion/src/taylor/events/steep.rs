@@ -56,9 +56,9 @@ impl<P> Steep<P> {
 pub(in crate::taylor) fn steep_places(tape: &Tape, formulas: usize, order: usize) -> Vec<Steep<usize>> {
     let high = |&(_, exponent): &(usize, f64)| 3.0 * exponent > count(order);
     let powers = powers(tape, formulas).into_iter().filter(high);
-    let mut found: Vec<_> = powers.map(|(of, exponent)| Steep::new(of, Enters::Power(exponent))).collect();
-    for place in reached(tape, formulas) {
-        let steep = match tape.operations()[place] {
+    let mut list: Vec<_> = powers.map(|(of, exponent)| Steep::new(of, Enters::Power(exponent))).collect();
+    for slot in reached(tape, formulas) {
+        let steep = match tape.operations()[slot] {
             Operation::Exp(of) => Steep::new(of, Enters::Exponent),
             Operation::Paired { function, of, .. } | Operation::Tangent { function, of }
                 if function.growth() == Growth::Hyperbolic =>
@@ -67,26 +67,26 @@ pub(in crate::taylor) fn steep_places(tape: &Tape, formulas: usize, order: usize
             }
             _ => continue,
         };
-        if !tape.is_constant(steep.of) && !found.contains(&steep) {
-            found.push(steep);
+        if !tape.is_constant(steep.of) && !list.contains(&steep) {
+            list.push(steep);
         }
     }
-    found
+    list
 }
 
 /// The factors of products that are powers, each with the largest exponent.
 fn powers(tape: &Tape, formulas: usize) -> Vec<(usize, f64)> {
-    let mut of: Vec<(usize, f64)> = (0..tape.operations().len()).map(|place| (place, 1.0)).collect();
-    for (place, operation) in tape.operations().iter().enumerate() {
+    let mut of: Vec<(usize, f64)> = (0..tape.operations().len()).map(|slot| (slot, 1.0)).collect();
+    for (slot, operation) in tape.operations().iter().enumerate() {
         match *operation {
-            Operation::Multiply(a, b) if of[a].0 == of[b].0 => of[place] = (of[a].0, of[a].1 + of[b].1),
-            Operation::Power(a, ref exponent) => of[place] = (of[a].0, of[a].1 * exponent.to_f64()),
+            Operation::Multiply(a, b) if of[a].0 == of[b].0 => of[slot] = (of[a].0, of[a].1 + of[b].1),
+            Operation::Power(a, ref exponent) => of[slot] = (of[a].0, of[a].1 * exponent.to_f64()),
             _ => {}
         }
     }
     let mut largest: Vec<(usize, f64)> = vec![];
-    for place in reached(tape, formulas).into_iter().filter(|&place| !tape.is_constant(place)) {
-        let (base, exponent) = of[place];
+    for slot in reached(tape, formulas).into_iter().filter(|&slot| !tape.is_constant(slot)) {
+        let (base, exponent) = of[slot];
         match largest.iter_mut().find(|(other, _)| *other == base) {
             Some((_, most)) => *most = most.max(exponent),
             None => largest.push((base, exponent)),

@@ -35,8 +35,8 @@ impl<const N: usize> Branches<N> {
     /// Continues a motion in a lane.
     pub(in crate::taylor) fn resume(&mut self, lane: usize, zeros: impl Iterator<Item = usize>) {
         self.begins[lane] = false;
-        for (own, zeros) in self.zeros.iter_mut().zip(zeros) {
-            own[lane] = zeros;
+        for (counts, zeros) in self.zeros.iter_mut().zip(zeros) {
+            counts[lane] = zeros;
         }
     }
 
@@ -111,7 +111,7 @@ impl<const N: usize> Branches<N> {
         for (modulus, wrong) in wrong.iter_mut().enumerate() {
             for lane in 0..N {
                 let sign = surroundings.signs[modulus][lane];
-                let found = if surroundings.sticks[modulus][lane] {
+                let sign_now = if surroundings.sticks[modulus][lane] {
                     let needed = block[expander.sign(block, modulus)][0][lane];
                     surroundings.sticks[modulus][lane] = needed.abs() <= 1.0;
                     wrong[lane] = needed.abs() > 1.0;
@@ -119,11 +119,11 @@ impl<const N: usize> Branches<N> {
                 } else {
                     let series = block[expander.argument(modulus)].iter().map(|c| c[lane]);
                     let behind = series.enumerate().skip(self.zeros[modulus][lane]);
-                    let found = sign_behind(behind, backward[lane]).unwrap_or(sign);
-                    wrong[lane] = found * sign < 0.0;
-                    found
+                    let corrected = sign_behind(behind, backward[lane]).unwrap_or(sign);
+                    wrong[lane] = corrected * sign < 0.0;
+                    corrected
                 };
-                surroundings.signs[modulus][lane] = found;
+                surroundings.signs[modulus][lane] = sign_now;
             }
         }
         wrong

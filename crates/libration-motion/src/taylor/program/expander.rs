@@ -186,17 +186,17 @@ fn plan(system: &System, order: usize, lanes: usize) -> Plan {
     let machine_code = || MachineCode::new(lanes, system.is_for_many_steps());
     let (beginning, expansion) = (machine_code(), machine_code());
     let arguments = &system.tape().results()[system.coordinates()..formulas];
-    let is_curved = |&&place: &&usize| !is_linear(system.tape(), place, system.layout().numbers());
-    let curved = arguments.iter().filter(is_curved).map(|&place| program.places[place]).collect();
+    let is_curved = |&&slot: &&usize| !is_linear(system.tape(), slot, system.layout().numbers());
+    let curved = arguments.iter().filter(is_curved).map(|&slot| program.places[slot]).collect();
     Plan { order, lanes, program, boundaries, steep, curved, beginning, expansion }
 }
 
 /// Returns `true` if a formula of a tape is linear in the first inputs, the state, and in the time.
 fn is_linear(tape: &Tape, place: usize, numbers: usize) -> bool {
-    let linear = |place: usize| is_linear(tape, place, numbers);
-    let constant = |place: usize| match tape.operations()[place] {
+    let linear = |slot: usize| is_linear(tape, slot, numbers);
+    let constant = |slot: usize| match tape.operations()[slot] {
         Operation::Input(number) => number > numbers,
-        _ => tape.is_constant(place),
+        _ => tape.is_constant(slot),
     };
     match tape.operations()[place] {
         Operation::Input(_) => true,

@@ -43,16 +43,16 @@ impl Linearised {
         for formula in formulas {
             needed[tape.results()[formula]] = true;
         }
-        for place in (0..operations.len()).rev() {
-            if let Operation::Paired { other, .. } = operations[place] {
-                needed[place] |= needed[other];
-                needed[other] |= needed[place];
+        for slot in (0..operations.len()).rev() {
+            if let Operation::Paired { other, .. } = operations[slot] {
+                needed[slot] |= needed[other];
+                needed[other] |= needed[slot];
             }
-            if needed[place] {
-                operations[place].operands().for_each(|operand| needed[operand] = true);
+            if needed[slot] {
+                operations[slot].operands().for_each(|operand| needed[operand] = true);
             }
         }
-        let varying = (0..operations.len()).filter(|&place| needed[place] && !tape.is_constant(place));
+        let varying = (0..operations.len()).filter(|&slot| needed[slot] && !tape.is_constant(slot));
         let mut linearised = Self {
             tape: tape.clone(),
             numbers,
@@ -61,12 +61,12 @@ impl Linearised {
             errors: vec![0.0; operations.len()],
             slopes: vec![0.0; numbers * operations.len()],
         };
-        for (place, operation) in operations.iter().enumerate().filter(|(place, _)| needed[*place]) {
+        for (slot, operation) in operations.iter().enumerate().filter(|(slot, _)| needed[*slot]) {
             match operation {
                 Operation::Input(number) if *number < numbers => {
-                    linearised.slopes[numbers * place + number] = 1.0;
+                    linearised.slopes[numbers * slot + number] = 1.0;
                 }
-                _ if tape.is_constant(place) => linearised.place(place, &[]),
+                _ if tape.is_constant(slot) => linearised.place(slot, &[]),
                 _ => {}
             }
         }
@@ -75,7 +75,7 @@ impl Linearised {
 
     /// The inputs that occur in the formulas.
     pub(in crate::taylor) fn inputs(&self) -> impl Iterator<Item = usize> + '_ {
-        self.varying.iter().filter_map(|&place| match self.tape.operations()[place] {
+        self.varying.iter().filter_map(|&slot| match self.tape.operations()[slot] {
             Operation::Input(input) => Some(input),
             _ => None,
         })
@@ -100,8 +100,8 @@ impl Linearised {
 
     /// The derivatives of a formula.
     pub(crate) fn slopes(&self, formula: usize) -> &[f64] {
-        let place = self.tape.results()[formula];
-        &self.slopes[self.numbers * place..self.numbers * (place + 1)]
+        let slot = self.tape.results()[formula];
+        &self.slopes[self.numbers * slot..self.numbers * (slot + 1)]
     }
 
     fn place(&mut self, place: usize, inputs: &[f64]) {
@@ -112,21 +112,21 @@ impl Linearised {
             if error > 0.0 { slope.abs() * error } else { 0.0 }
         };
         let inherited: f64 = by.iter().flatten().map(inherited).sum();
-        let own = if is_exact { 0.0 } else { value.abs().max(self.underflow(place)) };
-        self.errors[place] = inherited + own;
-        let (before, own) = self.slopes.split_at_mut(self.numbers * place);
-        let own = &mut own[..self.numbers];
+        let rounding = if is_exact { 0.0 } else { value.abs().max(self.underflow(place)) };
+        self.errors[place] = inherited + rounding;
+        let (before, rest) = self.slopes.split_at_mut(self.numbers * place);
+        let derivatives = &mut rest[..self.numbers];
         let of = |operand: usize| &before[self.numbers * operand..self.numbers * (operand + 1)];
         match by {
             [Some((a, by_a)), Some((b, by_b))] => {
-                let slopes = own.iter_mut().zip(of(a).iter().zip(of(b)));
+                let slopes = derivatives.iter_mut().zip(of(a).iter().zip(of(b)));
                 match by_a.is_finite() && by_b.is_finite() {
-                    true => slopes.for_each(|(own, (a, b))| *own = by_a * a + by_b * b),
-                    false => slopes.for_each(|(own, (a, b))| *own = times(by_a, *a) + times(by_b, *b)),
+                    true => slopes.for_each(|(sum, (a, b))| *sum = by_a * a + by_b * b),
+                    false => slopes.for_each(|(sum, (a, b))| *sum = times(by_a, *a) + times(by_b, *b)),
                 }
             }
             [Some((a, by_a)), None] => {
-                own.iter_mut().zip(of(a)).for_each(|(own, a)| *own = times(by_a, *a));
+                derivatives.iter_mut().zip(of(a)).for_each(|(sum, a)| *sum = times(by_a, *a));
             }
             // The values of inputs and numbers do not change.
             _ => {}
@@ -149,7 +149,7 @@ impl Linearised {
     fn differential(&mut self, place: usize, inputs: &[f64]) -> Differential {
         let exact = |value: f64, by| Differential { value, by, is_exact: true };
         let rounded = |value: f64, by| Differential { value, by, is_exact: false };
-        let at = |place: usize| self.values[place];
+        let at = |slot: usize| self.values[slot];
         match self.tape.operations()[place] {
             Operation::Input(number) => exact(inputs[number], [None; 2]),
             Operation::Number(ref number) => {

@@ -38,8 +38,8 @@ impl MachineCode {
     /// The compiled code, whose argument is the unit of time, given the operations
     /// to be compiled; the results without it are the same bit for bit.
     pub fn compiled(&self, line: impl FnOnce() -> Option<StraightLine>) -> Option<&Compiled> {
-        if let Some(known) = self.compiled.get() {
-            return known.as_ref();
+        if let Some(code) = self.compiled.get() {
+            return code.as_ref();
         }
         let one_fewer = |left: usize| left.checked_sub(1);
         if self.without.fetch_update(Ordering::Relaxed, Ordering::Relaxed, one_fewer).is_ok() {

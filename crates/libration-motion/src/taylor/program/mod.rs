@@ -78,18 +78,27 @@ impl Program {
             places: vec![],
             rows: tape.inputs(),
         };
-        let (places, input_degrees) = (vec![], degrees);
+        let (rows, input_degrees) = (vec![], degrees);
         let delays = delays(tape, last);
         let reciprocals = HashMap::new();
         let (degrees, values) = (vec![], vec![]);
-        let mut writer =
-            Writer { tape, terms, program, values, places, degrees, delays, reciprocals, input_degrees };
-        for place in 0..tape.operations().len() {
-            writer.write(place);
+        let mut writer = Writer {
+            tape,
+            terms,
+            program,
+            values,
+            places: rows,
+            degrees,
+            delays,
+            reciprocals,
+            input_degrees,
+        };
+        for slot in 0..tape.operations().len() {
+            writer.write(slot);
         }
         (writer.program.functions, writer.program.arithmetic) = with_functions_first(&writer.values);
-        writer.program.places = writer.places.iter().map(|place| place.plain).collect();
-        writer.program.results = tape.results().iter().map(|&place| writer.places[place].plain).collect();
+        writer.program.places = writer.places.iter().map(|row| row.plain).collect();
+        writer.program.results = tape.results().iter().map(|&slot| writer.places[slot].plain).collect();
         writer.program
     }
 
@@ -155,8 +164,8 @@ fn with_functions_first(values: &[Zeroth]) -> (Vec<Zeroth>, Vec<Zeroth>) {
         needed.extend(operands.into_iter().flatten().filter(|_| *is_first));
     }
     let part = |first: bool| {
-        let own = values.iter().zip(&is_first).filter(move |(_, is_first)| **is_first == first);
-        own.map(|(zeroth, _)| *zeroth).collect()
+        let chosen = values.iter().zip(&is_first).filter(move |(_, is_first)| **is_first == first);
+        chosen.map(|(zeroth, _)| *zeroth).collect()
     };
     (part(true), part(false))
 }
@@ -255,7 +264,7 @@ fn delays(tape: &Tape, last: &[bool]) -> Vec<usize> {
     const ORDER: usize = 1000;
     let mut delays: Vec<usize> = vec![];
     for operation in tape.operations() {
-        let before = operation.operands().map(|place| delays[place] + 1).max().unwrap_or(0);
+        let before = operation.operands().map(|slot| delays[slot] + 1).max().unwrap_or(0);
         let is_last = matches!(*operation, Operation::Input(number) if last.get(number) == Some(&true));
         delays.push(if is_last { ORDER } else { before });
     }
@@ -305,7 +314,7 @@ impl Writer<'_> {
 
     /// The degree of a result in the time.
     fn degree(&self, operation: &Operation) -> usize {
-        let of = |place: usize| self.degrees[place];
+        let of = |slot: usize| self.degrees[slot];
         let constant_or_endless = |degree: usize| if degree == 0 { 0 } else { ENDLESS };
         match *operation {
             Operation::Number(_) | Operation::Pi => 0,
@@ -330,7 +339,7 @@ impl Writer<'_> {
             Operation::Number(ref number) => self.program.constants.push((out, number.to_f64())),
             Operation::Pi => self.program.constants.push((out, std::f64::consts::PI)),
             _ => {
-                let value = Value::new(operation, |place| self.places[place].plain, Rational::to_f64);
+                let value = Value::new(operation, |slot| self.places[slot].plain, Rational::to_f64);
                 if let Some(value) = value {
                     self.push_value(out, value);
                 }
@@ -363,7 +372,7 @@ impl Writer<'_> {
         }
         // The rows after a slot's row are reserved before they are written.
         let next = Weighted { plain: self.next_row(), weighted: self.next_row() };
-        let rows = |place: usize| self.places.get(place).copied().unwrap_or(next);
+        let rows = |slot: usize| self.places.get(slot).copied().unwrap_or(next);
         let swapped = match *operation {
             // The newest coefficient of the first factor enters last. Double pendulums
             // at 1e-12, single or two hundred side by side, take 0.96 of the time.
@@ -371,7 +380,7 @@ impl Writer<'_> {
             _ => None,
         };
         let operation = swapped.as_ref().unwrap_or(operation);
-        let reciprocal = |place: usize| self.reciprocals.get(&place).copied();
-        Instruction::new(operation, place, rows, reciprocal, |place| self.degrees[place], Rational::to_f64)
+        let reciprocal = |slot: usize| self.reciprocals.get(&slot).copied();
+        Instruction::new(operation, place, rows, reciprocal, |slot| self.degrees[slot], Rational::to_f64)
     }
 }

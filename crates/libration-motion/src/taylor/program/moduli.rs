@@ -76,24 +76,24 @@ impl Moduli {
     fn root(&mut self, base: &Expression, power: impl FnOnce(Expression) -> Expression) -> Expression {
         let base = self.taken_out(base);
         let within: Vec<usize> =
-            (0..self.arguments.len()).filter(|&place| base.contains(&sign(place))).collect();
-        for &place in &within {
-            let Modulus { argument, in_root, .. } = &mut self.arguments[place];
+            (0..self.arguments.len()).filter(|&index| base.contains(&sign(index))).collect();
+        for &index in &within {
+            let Modulus { argument, in_root, .. } = &mut self.arguments[index];
             *in_root |= with_zero(&base, argument).vanishes();
         }
         if within.is_empty() {
             self.bases.push(base.clone());
         }
-        let [place] = within[..] else { return power(base) };
-        let vanishes = |side: i64| base.substitute(&sign(place), &Expression::from(side)).vanishes();
+        let [index] = within[..] else { return power(base) };
+        let vanishes = |side: i64| base.substitute(&sign(index), &Expression::from(side)).vanishes();
         let half_less = |side: Expression| {
             let sum = Expression::Subtract(Box::new(Expression::from(1)), Box::new(side));
             Expression::Divide(Box::new(sum), Box::new(Expression::from(2)))
         };
-        let own = || Expression::Symbol(sign(place));
+        let itself = || Expression::Symbol(sign(index));
         let (there, elsewhere) = match [vanishes(-1), vanishes(1)] {
-            [true, false] => (own(), Expression::Negate(Box::new(own()))),
-            [false, true] => (Expression::Negate(Box::new(own())), own()),
+            [true, false] => (itself(), Expression::Negate(Box::new(itself()))),
+            [false, true] => (Expression::Negate(Box::new(itself())), itself()),
             _ => return power(base),
         };
         let base = Expression::Add(Box::new(base), Box::new(half_less(there)));
@@ -102,13 +102,13 @@ impl Moduli {
 
     /// The sign of an argument, as a symbol.
     fn sign_of(&mut self, argument: &Expression, written: &Expression) -> Expression {
-        let known = self.arguments.iter().position(|other| other.argument == *argument);
-        let place = known.unwrap_or_else(|| {
+        let existing = self.arguments.iter().position(|other| other.argument == *argument);
+        let index = existing.unwrap_or_else(|| {
             let (argument, written) = (argument.clone(), written.clone());
             self.arguments.push(Modulus { argument, written, in_root: false, divides: false });
             self.arguments.len() - 1
         });
-        Expression::Symbol(sign(place))
+        Expression::Symbol(sign(index))
     }
 
     /// The symbols that stand for the signs.
@@ -118,7 +118,7 @@ impl Moduli {
 
     /// The argument at whose zero a formula jumps, after these signs were taken out of it; `None` if it does not jump.
     pub(in crate::taylor) fn jump_in(&self, formula: &Expression) -> Option<String> {
-        let jumping = (0..self.arguments.len()).find(|&place| self.jumps(place, formula))?;
+        let jumping = (0..self.arguments.len()).find(|&index| self.jumps(index, formula))?;
         Some(self.arguments[jumping].written.to_string())
     }
 

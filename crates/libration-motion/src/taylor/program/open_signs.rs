@@ -22,7 +22,7 @@ impl OpenSigns {
         let formulas: Vec<Expression> =
             equation.derivatives().iter().map(|formula| moduli.taken_out(formula)).collect();
         let signs: Vec<Symbol> = moduli.signs().collect();
-        let jumps = |place: usize| formulas.iter().any(|formula| moduli.jumps(place, formula));
+        let jumps = |index: usize| formulas.iter().any(|formula| moduli.jumps(index, formula));
         let jumps: Vec<bool> = (0..signs.len()).map(jumps).collect();
         let arguments =
             moduli.into_arguments().into_iter().map(|Modulus { argument, .. }| argument).collect();
@@ -67,12 +67,12 @@ impl OpenSigns {
         for &argument in held {
             let coordinate = layout.driving(self.driven(argument)?)?;
             let sign = &self.signs[argument];
-            let own = &derivatives[coordinate];
-            let gain = own.derivative(sign).simplified();
+            let acceleration = &derivatives[coordinate];
+            let gain = acceleration.derivative(sign).simplified();
             if gain.contains(sign) || gain.vanishes() {
                 return None;
             }
-            let rest = own.substitute(sign, &Expression::from(0));
+            let rest = acceleration.substitute(sign, &Expression::from(0));
             let needed = Expression::Negate(Box::new(Expression::Divide(Box::new(rest), Box::new(gain))));
             derivatives = derivatives.iter().map(|formula| formula.substitute(sign, &needed)).collect();
             derivatives[coordinate] = Expression::from(0);

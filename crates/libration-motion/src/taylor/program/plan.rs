@@ -21,12 +21,12 @@ impl Plans {
         lanes: usize,
         new: impl FnOnce() -> Plan,
     ) -> Arc<Plan> {
-        let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(found) = known.iter().find(|it| it.order == order && it.lanes == lanes) {
-            return Arc::clone(found);
+        let mut plans = self.known.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(plan) = plans.iter().find(|it| it.order == order && it.lanes == lanes) {
+            return Arc::clone(plan);
         }
         let new = Arc::new(new());
-        known.push(Arc::clone(&new));
+        plans.push(Arc::clone(&new));
         new
     }
 }

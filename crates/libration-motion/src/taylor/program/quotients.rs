@@ -60,7 +60,7 @@ impl<'a> Product<'a> {
 
     fn multiply(&mut self, base: &'a Expression, exponent: Rational) {
         match self.factors.iter_mut().find(|(other, _)| *other == base) {
-            Some((_, own)) => *own = Rationals.add(own, &exponent),
+            Some((_, sum)) => *sum = Rationals.add(sum, &exponent),
             None => self.factors.push((base, exponent)),
         }
     }

@@ -32,8 +32,8 @@ pub fn named_state(
             return Err(StateNameError::Twice { name: (*name).to_owned() });
         }
         let unknown = || StateNameError::Unknown { name: (*name).to_owned(), known: names.to_vec() };
-        let place = names.iter().position(|known| known == name).ok_or_else(unknown)?;
-        state[place] = *value;
+        let index = names.iter().position(|other| other == name).ok_or_else(unknown)?;
+        state[index] = *value;
     }
     Ok(state)
 }

@@ -102,9 +102,9 @@ impl Recorder {
 
     /// The first slot of values in consecutive slots; `None` if they are not consecutive.
     fn first_place(&self, values: &[Recorded]) -> Option<usize> {
-        let places = self.places.borrow();
-        let first = places[*values.first()?]?;
-        let behind = (first..).zip(values).all(|(place, value)| places[*value] == Some(place));
+        let slots = self.places.borrow();
+        let first = slots[*values.first()?]?;
+        let behind = (first..).zip(values).all(|(slot, value)| slots[*value] == Some(slot));
         behind.then_some(first)
     }
 }
@@ -221,7 +221,7 @@ struct Recording {
 impl Recording {
     fn new(rows: usize, terms: usize) -> Self {
         let recorder = Recorder::default();
-        let values = (0..rows * terms).map(|place| recorder.found(place)).collect();
+        let values = (0..rows * terms).map(|slot| recorder.found(slot)).collect();
         Self { recorder, values, terms }
     }
 
@@ -231,9 +231,9 @@ impl Recording {
     }
 
     fn keep(&mut self, row: Row, n: usize, value: Recorded) {
-        let place = row.first() + n;
-        self.recorder.keep(value, place);
-        self.values[place] = value;
+        let slot = row.first() + n;
+        self.recorder.keep(value, slot);
+        self.values[slot] = value;
     }
 }
 

@@ -110,7 +110,10 @@ impl System {
     /// The same system with its individual tolerances multiplied by a factor.
     pub(in crate::taylor) fn with_part_of_tolerances(&self, part: f64) -> Self {
         let least = Effort::TOLERANCES[0];
-        let parts = self.tolerances.iter().map(|&own| if own > 0.0 { (part * own).max(least) } else { own });
+        let parts = self
+            .tolerances
+            .iter()
+            .map(|&tolerance| if tolerance > 0.0 { (part * tolerance).max(least) } else { tolerance });
         Self { tolerances: parts.collect(), ..self.clone() }
     }
 
@@ -144,8 +147,9 @@ impl System {
         let bases = (0..state.len()).filter(|&number| moduli.has_power_of(&state[number])).collect();
         let arguments = moduli.into_arguments();
         let passage = Passage::new(equation.derivatives(), &arguments, bases, &watched, &written)?;
-        let own = arguments.iter().map(|modulus| &modulus.argument);
-        let formulas: Vec<&Expression> = derivatives.iter().chain(own).chain(in_moduli).collect();
+        let moduli_arguments = arguments.iter().map(|modulus| &modulus.argument);
+        let formulas: Vec<&Expression> =
+            derivatives.iter().chain(moduli_arguments).chain(in_moduli).collect();
         let tape = Tape::new(&formulas, &inputs)?;
         let driven = |argument: &Expression| {
             let number = state.iter().position(|symbol| *argument == Expression::Symbol(symbol.clone()));

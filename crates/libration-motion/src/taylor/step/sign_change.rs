@@ -10,21 +10,21 @@ use std::ops::ControlFlow;
 /// The first position in 0 < x ≤ 1 after which Σ cₙxⁿ has the other sign; `None` if there is none.
 pub fn first_sign_change(coefficients: &[f64]) -> Option<f64> {
     match Search::new(coefficients, ControlFlow::Break).within(bernstein(coefficients), 0.0, 1.0) {
-        ControlFlow::Break(place) => Some(place),
+        ControlFlow::Break(position) => Some(position),
         ControlFlow::Continue(()) => None,
     }
 }
 
 /// All such positions in ascending order.
 pub fn sign_changes(coefficients: &[f64]) -> Vec<f64> {
-    let mut places = Vec::new();
-    let note = |place| {
-        places.push(place);
+    let mut positions = Vec::new();
+    let note = |position| {
+        positions.push(position);
         ControlFlow::Continue(())
     };
     // The search is never stopped by `note`.
     let _ = Search::new(coefficients, note).within(bernstein(coefficients), 0.0, 1.0);
-    places
+    positions
 }
 
 /// The coefficients of a series in powers of the fraction of a length. A coefficient of zero stays zero even if the power overflows.

@@ -91,8 +91,8 @@ pub(in crate::taylor) fn step_lengths<const N: usize>(
 ) -> [f64; N] {
     let mut radius = radius_of_state(block, usize::MAX, allowances, absolute);
     for (row, longer) in others {
-        let own = log2_radius(&Sizes::new(&block[row], &block[row][0]));
-        radius = radius.smaller(&own.longer(&[longer; N]));
+        let of_row = log2_radius(&Sizes::new(&block[row], &block[row][0]));
+        radius = radius.smaller(&of_row.longer(&[longer; N]));
     }
     let radius = radius.known();
     lanes(|lane| {
@@ -183,19 +183,20 @@ fn radius_of_state<const N: usize>(
     let mut radius = Log2Radius::<N>::ENDLESS;
     if N > 1 {
         for (number, allowance) in allowances.iter().enumerate() {
-            let own = log2_radius(&Sizes::new(series(number), &size(number, allowance)));
-            radius = radius.smaller(&own.longer(&[allowance.log2_longer; N]));
+            let of_component = log2_radius(&Sizes::new(series(number), &size(number, allowance)));
+            radius = radius.smaller(&of_component.longer(&[allowance.log2_longer; N]));
         }
         return radius;
     }
-    for (place, allowances) in allowances.chunks(BESIDE).enumerate() {
+    for (group, allowances) in allowances.chunks(BESIDE).enumerate() {
         let allowance = |i: usize| &allowances[i.min(allowances.len() - 1)];
-        let number = |i: usize| BESIDE * place + i.min(allowances.len() - 1);
+        let number = |i: usize| BESIDE * group + i.min(allowances.len() - 1);
         let size: [[f64; N]; BESIDE] = std::array::from_fn(|i| size(number(i), allowance(i)));
-        let own: [_; BESIDE] = std::array::from_fn(|i| Sizes::new(series(number(i)), &size[i]));
+        let group_sizes: [_; BESIDE] = std::array::from_fn(|i| Sizes::new(series(number(i)), &size[i]));
         let longer: [f64; BESIDE] = lanes(|i| allowance(i).log2_longer);
-        let (first, last) = (first_lanes(own.map(|of| of.first)), first_lanes(own.map(|of| of.last)));
-        let sizes = Sizes { first: first.each_ref(), last: last.each_ref(), terms: own[0].terms };
+        let (first, last) =
+            (first_lanes(group_sizes.map(|of| of.first)), first_lanes(group_sizes.map(|of| of.last)));
+        let sizes = Sizes { first: first.each_ref(), last: last.each_ref(), terms: group_sizes[0].terms };
         let beside = log2_radius(&sizes).longer(&longer);
         for i in 0..BESIDE {
             radius = radius.smaller(&beside.lane(i));

@@ -34,21 +34,21 @@ pub(in crate::taylor) fn own_tolerances(
     given: &[(&str, f64)],
 ) -> Result<Vec<f64>, ToleranceError> {
     let [least, greatest] = Effort::TOLERANCES;
-    let mut own = vec![0.0; coordinates.len()];
+    let mut tolerances = vec![0.0; coordinates.len()];
     for (name, relative) in given {
         let (named, relative) = ((*name).to_owned(), *relative);
-        let Some(place) = coordinates.iter().position(|known| known == name) else {
+        let Some(index) = coordinates.iter().position(|other| other == name) else {
             return Err(ToleranceError::NoCoordinate { name: named, known: coordinates.to_vec() });
         };
-        if own[place] > 0.0 {
+        if tolerances[index] > 0.0 {
             return Err(ToleranceError::Twice(named));
         }
         if !(least..=greatest).contains(&relative) {
             return Err(ToleranceError::OutOfRange { coordinate: named, relative });
         }
-        own[place] = relative;
+        tolerances[index] = relative;
     }
-    Ok(own)
+    Ok(tolerances)
 }
 
 /// The effort with the smallest of all tolerances, and the allowed error of each state component.

@@ -86,8 +86,8 @@ impl LaurentPolynomial {
     /// The letters that occur, in their order.
     #[must_use]
     pub fn letters_present(&self) -> Vec<&str> {
-        let present = |place: &usize| self.half_powers().any(|(powers, _)| powers[*place] != 0);
-        (0..self.letters.len()).filter(present).map(|place| self.letters[place].as_str()).collect()
+        let present = |letter: &usize| self.half_powers().any(|(powers, _)| powers[*letter] != 0);
+        (0..self.letters.len()).filter(present).map(|letter| self.letters[letter].as_str()).collect()
     }
 
     /// Returns `true` if a letter occurs under a root.
@@ -107,7 +107,7 @@ impl LaurentPolynomial {
     pub fn value(&self, power: impl Fn(usize, i64) -> Option<Rational>) -> Option<Rational> {
         self.terms.as_ref()?.iter().try_fold(Rational::from(0), |sum, (powers, factor)| {
             let present = powers.iter().enumerate().filter(|(_, half_power)| **half_power != 0);
-            let mut powers = present.map(|(place, half_power)| power(place, *half_power));
+            let mut powers = present.map(|(letter, half_power)| power(letter, *half_power));
             let term =
                 powers.try_fold(factor.clone(), |term, power| Some(Rationals.multiply(&term, &power?)))?;
             Some(Rationals.add(&sum, &term))

@@ -170,17 +170,17 @@ impl LaurentPolynomials {
         divisor: &LaurentPolynomial,
     ) -> bool {
         let Some((powers, _)) = term.as_single_term() else { return false };
-        powers.iter().enumerate().all(|(place, power)| {
-            let (low, high) = extremes(a, place);
-            let (low_divisor, high_divisor) = extremes(divisor, place);
+        powers.iter().enumerate().all(|(letter, power)| {
+            let (low, high) = extremes(a, letter);
+            let (low_divisor, high_divisor) = extremes(divisor, letter);
             (low - low_divisor..=high - high_divisor).contains(power)
         })
     }
 }
 
 /// The smallest and the largest power of a letter.
-fn extremes(of: &LaurentPolynomial, place: usize) -> (i64, i64) {
-    let powers = || of.half_powers().map(|(powers, _)| powers[place]);
+fn extremes(of: &LaurentPolynomial, letter: usize) -> (i64, i64) {
+    let powers = || of.half_powers().map(|(powers, _)| powers[letter]);
     (powers().min().unwrap_or(0), powers().max().unwrap_or(0))
 }
 
@@ -238,7 +238,7 @@ impl Ring for LaurentPolynomials {
         if factor == 0 {
             return self.zero();
         }
-        self.map(a, &|own| Rationals.times_integer(own, factor))
+        self.map(a, &|coefficient| Rationals.times_integer(coefficient, factor))
     }
 
     fn divide(&self, a: &LaurentPolynomial, divisor: &LaurentPolynomial) -> Option<LaurentPolynomial> {

@@ -212,14 +212,14 @@ impl EquationError {
         Self::WithoutAcceleration { equation: equation_text(left, right) }
     }
 
-    pub(super) fn unknown_parameter(name: &str, known: &BTreeSet<String>) -> Self {
-        let names: Vec<&str> = known.iter().map(String::as_str).collect();
-        let known = match names.as_slice() {
+    pub(super) fn unknown_parameter(name: &str, parameters: &BTreeSet<String>) -> Self {
+        let names: Vec<&str> = parameters.iter().map(String::as_str).collect();
+        let available = match names.as_slice() {
             [] => "it has none".to_owned(),
             [one] => format!("its only parameter is {one}"),
             several => format!("its parameters are {}", several.join(", ")),
         };
-        Self::UnknownParameter { name: excerpt(name), known }
+        Self::UnknownParameter { name: excerpt(name), known: available }
     }
 }
 

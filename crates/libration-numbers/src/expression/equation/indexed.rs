@@ -146,19 +146,19 @@ impl Chain {
 
     /// A formula in which members outside the ranges are replaced by their stated values, or zero.
     fn with_ends(&self, formula: &Expression) -> Result<Expression, EquationError> {
-        let mut found = formula.clone();
+        let mut replaced = formula.clone();
         for symbol in formula.symbols() {
             match Member::of(&symbol.name) {
                 Some(member) if self.families.contains(member.family) => {
                     if !self.inside.contains(&symbol.name) {
-                        found = found.with_value(&symbol, &self.end(&symbol)?);
+                        replaced = replaced.with_value(&symbol, &self.end(&symbol)?);
                     }
                 }
                 Some(_) => {}
                 None => self.refuse_end_without_brackets(&symbol)?,
             }
         }
-        Ok(found)
+        Ok(replaced)
     }
 
     /// The expression for a member outside the ranges, or for its velocity.
@@ -212,8 +212,8 @@ fn own_members(equations: &[Sides]) -> BTreeSet<String> {
     let families: BTreeSet<&str> = accelerated.iter().filter_map(|it| Some(Member::of(it)?.family)).collect();
     let slow = equations.iter().filter(|sides| symbols(sides).all(|symbol| symbol.primes < 2));
     let rates = slow.flat_map(|sides| members(sides, 1));
-    let own = rates.filter(|name| Member::of(name).is_some_and(|it| !families.contains(it.family)));
-    own.chain(accelerated.iter().cloned()).collect()
+    let slow_members = rates.filter(|name| Member::of(name).is_some_and(|it| !families.contains(it.family)));
+    slow_members.chain(accelerated.iter().cloned()).collect()
 }
 
 /// The formula with x3 in place of `x[3]`; `x[-1]` has no such name.

@@ -42,14 +42,15 @@ pub(super) fn own_derivatives(written: &[Sides]) -> Result<Vec<Symbol>, Equation
     let symbols: Vec<BTreeSet<Symbol>> = written.iter().map(symbols).collect();
     let accelerations = symbols.iter().map(own_acceleration).collect::<Result<Vec<_>, _>>()?;
     let accelerated: BTreeSet<&str> = accelerations.iter().flatten().map(|it| it.name.as_str()).collect();
-    let own = written.iter().zip(&symbols).zip(&accelerations).map(|((sides, symbols), acceleration)| {
-        let own = match acceleration {
-            Some(acceleration) => acceleration.clone(),
-            None => own_rate(sides, symbols, &accelerated)?,
-        };
-        if own.name == TIME { Err(EquationError::TimeAsVariable) } else { Ok(own) }
-    });
-    own.collect()
+    let derivatives =
+        written.iter().zip(&symbols).zip(&accelerations).map(|((sides, symbols), acceleration)| {
+            let derivative = match acceleration {
+                Some(acceleration) => acceleration.clone(),
+                None => own_rate(sides, symbols, &accelerated)?,
+            };
+            if derivative.name == TIME { Err(EquationError::TimeAsVariable) } else { Ok(derivative) }
+        });
+    derivatives.collect()
 }
 
 fn symbols((left, right): &Sides) -> BTreeSet<Symbol> {
@@ -73,8 +74,8 @@ fn own_rate(
     accelerated: &BTreeSet<&str>,
 ) -> Result<Symbol, EquationError> {
     let mut rates = symbols.iter().filter(|symbol| symbol.primes == 1);
-    let own = rates.clone().filter(|rate| !accelerated.contains(rate.name.as_str()));
-    only(own)?.ok_or_else(|| match rates.next() {
+    let candidates = rates.clone().filter(|rate| !accelerated.contains(rate.name.as_str()));
+    only(candidates)?.ok_or_else(|| match rates.next() {
         Some(rate) => EquationError::rate_of_accelerated(left, right, rate.clone()),
         None => EquationError::without_derivative(left, right),
     })

@@ -14,12 +14,12 @@ impl Lexer<'_> {
     /// The derivative with respect to t that begins here; `None`, with nothing consumed, if there is none.
     pub(super) fn derivative(&mut self, fraction: &FractionNotation<'_>) -> Option<Result<Token, Fault>> {
         let start = self.at;
-        let found = self.quotient_of_differentials(fraction);
-        match found {
+        let token = self.quotient_of_differentials(fraction);
+        match token {
             Some(_) => self.free = true,
             None => self.at = start,
         }
-        found.map(Ok)
+        token.map(Ok)
     }
 
     fn quotient_of_differentials(&mut self, fraction: &FractionNotation<'_>) -> Option<Token> {
@@ -55,9 +55,9 @@ impl Lexer<'_> {
     }
 
     fn literal(&mut self, text: &str) -> Option<()> {
-        let found = self.rest().starts_with(text);
-        self.at += if found { text.len() } else { 0 };
-        found.then_some(())
+        let is_present = self.rest().starts_with(text);
+        self.at += if is_present { text.len() } else { 0 };
+        is_present.then_some(())
     }
 
     fn blanks(&mut self) {

@@ -28,16 +28,16 @@ impl Lexer<'_> {
     pub(super) fn skip_command(&mut self) -> bool {
         let Some(rest) = self.rest().strip_prefix('\\') else { return false };
         let word = word(rest);
-        let found = if word.is_empty() {
+        let command = if word.is_empty() {
             rest.chars().next().and_then(|sign| SPACES.iter().find(|space| space.starts_with(sign)))
         } else {
             SPACES.iter().find(|space| **space == word)
         };
-        if let Some(space) = found {
+        if let Some(space) = command {
             self.at += 1 + space.len();
             self.free = true;
         }
-        found.is_some()
+        command.is_some()
     }
 
     /// The token of the command at this position.
@@ -150,6 +150,7 @@ fn letter(command: &str) -> Option<String> {
 }
 
 fn is_function(word: &str) -> bool {
-    let known = Function::ALL.into_iter().any(|function| function.word() == word || function.name() == word);
-    known || matches!(word, "arcsin" | "arccos" | "arctan" | "log")
+    let is_named =
+        Function::ALL.into_iter().any(|function| function.word() == word || function.name() == word);
+    is_named || matches!(word, "arcsin" | "arccos" | "arctan" | "log")
 }

@@ -149,7 +149,7 @@ impl Parser<'_> {
 
     /// The last lexeme of the following part, if that part could belong to an argument without brackets.
     fn may_belong_to_argument(&self) -> Option<usize> {
-        let function_at = |place: usize| matches!(&self.lexemes[place].token, Token::Name(symbol) if function_of(symbol).is_some());
+        let function_at = |index: usize| matches!(&self.lexemes[index].token, Token::Name(symbol) if function_of(symbol).is_some());
         match self.peek() {
             Token::Sign('*') if function_at(self.next + 1) => None,
             Token::Sign('*' | '/' | '^') => Some(self.next + 1),

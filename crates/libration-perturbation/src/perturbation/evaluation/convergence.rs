@@ -18,9 +18,9 @@ use libration_numbers::algebra::{BigFloat, Rational};
 /// // 1/(1 − x/2)² = Σ (n + 1)(x/2)ⁿ.
 /// let series: Vec<_> =
 ///     (0..20).map(|n| format!("{}/{}", n + 1, 1_u64 << n).parse().unwrap()).collect();
-/// let found = Convergence::estimate(&series).unwrap();
-/// assert!((found.radius - 2.0).abs() < 1e-9);
-/// assert_eq!(found.singularity, Singularity::Positive);
+/// let estimate = Convergence::estimate(&series).unwrap();
+/// assert!((estimate.radius - 2.0).abs() < 1e-9);
+/// assert_eq!(estimate.singularity, Singularity::Positive);
 /// ```
 ///
 /// # References
@@ -71,8 +71,8 @@ impl Convergence {
         }
         let stride = stride(present);
         let spread: Vec<Rational> = coefficients[first..].iter().step_by(stride).cloned().collect();
-        let found = one_singularity(&spread).or_else(|| pair_of_singularities(&spread));
-        let (inverse, singularity) = found.unwrap_or_else(|| (by_roots(&spread), Singularity::Unclear));
+        let estimate = one_singularity(&spread).or_else(|| pair_of_singularities(&spread));
+        let (inverse, singularity) = estimate.unwrap_or_else(|| (by_roots(&spread), Singularity::Unclear));
         Some(inverse.to_convergence(stride, singularity))
     }
 }

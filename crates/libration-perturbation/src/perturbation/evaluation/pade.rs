@@ -113,8 +113,9 @@ impl Pade {
         let pole = |position: Complex| {
             // A pole with a zero next to it: the approximant has more terms than the digits of the series determine.
             let cancelled = of_numerator.iter().any(|zero| (*zero - position).abs() < 1e-4 * position.abs());
-            let alone =
-                directions.as_ref().is_some_and(|known| !known.iter().any(|z| same_direction(*z, position)));
+            let alone = directions
+                .as_ref()
+                .is_some_and(|lower_zeros| !lower_zeros.iter().any(|z| same_direction(*z, position)));
             Pole { position, residue: self.residue(position), spurious: cancelled || alone }
         };
         zeros(&self.denominator).into_iter().map(pole).collect()

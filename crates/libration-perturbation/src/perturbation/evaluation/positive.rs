@@ -37,9 +37,9 @@ impl PositiveSeries {
         // (tests/suite/period_majorants.rs).
         const PLACES: u32 = 24;
         let x = x.abs();
-        let place = |n: u32| x + (limit - x) * (1.0 - libm::exp2(-f64::from(n) / 2.0));
+        let larger_point = |n: u32| x + (limit - x) * (1.0 - libm::exp2(-f64::from(n) / 2.0));
         let larger = match x < limit {
-            true => (0..PLACES).map(place).map(|y| (y, value(y) * (1.0 + ROUNDING))).collect(),
+            true => (0..PLACES).map(larger_point).map(|y| (y, value(y) * (1.0 + ROUNDING))).collect(),
             false => vec![],
         };
         PositiveSeriesAt { series: self, x, larger }
@@ -64,9 +64,9 @@ impl PositiveSeriesAt<'_> {
             return 0.0;
         }
         let next = count(self.series.next(power));
-        let known = &self.series.coefficients[..self.series.coefficients.len().min(power + 1)];
+        let coefficients = &self.series.coefficients[..self.series.coefficients.len().min(power + 1)];
         let bound = |(y, value): &(f64, f64)| {
-            let sum = known.iter().rev().fold(0.0, |sum, coefficient| sum * y + coefficient);
+            let sum = coefficients.iter().rev().fold(0.0, |sum, coefficient| sum * y + coefficient);
             let share = libm::pow(self.x / y, next) * (1.0 + ROUNDING);
             share * (value - sum * (1.0 - ROUNDING))
         };

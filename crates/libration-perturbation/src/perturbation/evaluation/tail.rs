@@ -34,22 +34,22 @@ pub(super) fn beyond_the_last(
         return f64::INFINITY;
     }
     let stride = stride(terms.iter().map(|(power, _)| *power));
-    let place = |power: usize| (power - first) / stride;
-    let end = place(*last);
+    let index = |power: usize| (power - first) / stride;
+    let end = index(*last);
     let from = (end / 2).min(end - 2).max(1);
     let later: Vec<(usize, f64)> = terms
         .iter()
-        .map(|(power, term)| (place(*power), term.ln_magnitude()))
-        .filter(|(place, _)| *place >= from)
+        .map(|(power, term)| (index(*power), term.ln_magnitude()))
+        .filter(|(step, _)| *step >= from)
         .collect();
     let ratio = largest_ratio(&later, ((end - from) / 3).max(1));
-    let known = convergence.filter(|_| terms.len() > MANY);
-    let of_radius = known.map(|known| CAUTION * libm::pow(x.abs() / known.at_least, count(stride)));
+    let estimate = convergence.filter(|_| terms.len() > MANY);
+    let of_radius = estimate.map(|radius| CAUTION * libm::pow(x.abs() / radius.at_least, count(stride)));
     let ratio = of_radius.map_or(ratio, |other| f64::min(ratio, other));
     if ratio.is_nan() || ratio >= 1.0 {
         return f64::INFINITY;
     }
-    let continued = |(place, logarithm): &(usize, f64)| logarithm + count(end - place) * libm::log(ratio);
+    let continued = |(step, logarithm): &(usize, f64)| logarithm + count(end - step) * libm::log(ratio);
     let largest = later.iter().map(continued).fold(f64::NEG_INFINITY, f64::max);
     libm::exp(largest) * ratio / (1.0 - ratio)
 }

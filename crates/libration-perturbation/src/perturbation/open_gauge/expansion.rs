@@ -77,9 +77,10 @@ impl<'a> OpenExpansion<'a> {
     }
 
     /// Sets the coefficients of an order to their solutions, the others to their symbols.
-    pub(super) fn insert(&mut self, order: u32, found: &BTreeMap<Variable, Polynomial>) {
-        let value =
-            |symbol: Variable| found.get(&symbol).cloned().unwrap_or_else(|| Polynomial::variable(symbol));
+    pub(super) fn insert(&mut self, order: u32, solutions: &BTreeMap<Variable, Polynomial>) {
+        let value = |symbol: Variable| {
+            solutions.get(&symbol).cloned().unwrap_or_else(|| Polynomial::variable(symbol))
+        };
         let terms = self.ansatz.harmonics.iter().map(|k| (*k, value(coefficient(*k, order))));
         self.displacement[order as usize] = cosines(terms);
         if let Some(before @ 1..) = order.checked_sub(1) {

@@ -90,10 +90,10 @@ struct Solution<'a, R: PhaseFunctions> {
 impl<'a, R: PhaseFunctions> Solution<'a, R> {
     fn new(question: &'a Averaging<'a, R>, series: &'a PowerSeries<R>) -> Option<Self> {
         let ring = &series.coefficients;
-        let mut place = series.zero();
-        place[0] = question.equilibrium.clone();
+        let mut displacement = series.zero();
+        displacement[0] = question.equilibrium.clone();
         let parameter = if question.lift == 0 { series.variable()? } else { series.zero() };
-        let jet = Jet::new(series, question.tape, &[place, series.zero(), parameter]).ok()?;
+        let jet = Jet::new(series, question.tape, &[displacement, series.zero(), parameter]).ok()?;
         let numbers = vec![vec![ring.numbers().zero(); series.terms]; question.order + 1];
         Some(Self {
             question,
@@ -152,8 +152,8 @@ impl<'a, R: PhaseFunctions> Solution<'a, R> {
         let (numbers, omega0) = (ring.numbers(), &self.question.omega0);
         let drift = self.transported(&self.averaged.displacement, n, j);
         self.velocity[n][j] = drift.clone();
-        let known = ring.subtract(&self.jet.result(0)[n][j], &self.transported(&self.velocity, n, j));
-        let Response { secular, forced } = ring.response(&known)?;
+        let residual = ring.subtract(&self.jet.result(0)[n][j], &self.transported(&self.velocity, n, j));
+        let Response { secular, forced } = ring.response(&residual)?;
         let rate = |part| numbers.divide(&numbers.negate(part), &numbers.times_integer(omega0, 2));
         let (frequency, growth) = (rate(&secular.cosine)?, rate(&secular.sine)?);
         let compliance = numbers.divide(&numbers.rational(&1.into())?, &numbers.multiply(omega0, omega0))?;

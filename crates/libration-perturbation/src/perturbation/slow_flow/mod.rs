@@ -219,11 +219,11 @@ impl<'a> SlowFlowProblem<'a> {
             Gauge::Fundamental if !force.kinked => Amplitude::FirstHarmonic,
             other => return Err(SlowFlowError::Gauge(other.to_string())),
         };
-        let (place, square) = (force.oscillator.equilibrium(), force.oscillator.omega0_squared());
-        let (Some(equilibrium), Some(omega0_squared)) = (place.exact(), square.exact()) else {
+        let (rest, square) = (force.oscillator.equilibrium(), force.oscillator.omega0_squared());
+        let (Some(equilibrium), Some(omega0_squared)) = (rest.exact(), square.exact()) else {
             return Err(SlowFlowError::NotRational {
                 parameter: force.parameter.clone(),
-                equilibrium: place.to_string(),
+                equilibrium: rest.to_string(),
                 omega0_squared: square.to_string(),
             });
         };
@@ -278,13 +278,13 @@ impl<'a> SlowFlowProblem<'a> {
             order: self.order,
             parameter_order: self.parameter_order,
         };
-        let mut found = averaging.solve(ring, watch);
-        if matches!(found, Err(Failed::MovingEquilibrium)) {
+        let mut outcome = averaging.solve(ring, watch);
+        if matches!(outcome, Err(Failed::MovingEquilibrium)) {
             averaging.lift = 1;
             averaging.order += self.parameter_order;
-            found = averaging.solve(ring, watch);
+            outcome = averaging.solve(ring, watch);
         }
-        match found {
+        match outcome {
             Ok(averaged) => Ok(self.collected(ring, &averaged, averaging.lift, number)),
             Err(Failed::Interrupted) => Err(SlowFlowError::Interrupted),
             Err(_) => Err(SlowFlowError::NoSeries),
@@ -327,13 +327,13 @@ impl<'a> SlowFlowProblem<'a> {
             whole_powers: self.whole_powers(),
             half_swing: self.force.kinked,
         };
-        for (n, found) in averaged.displacement.iter().enumerate() {
-            for (j, displacement) in found.iter().enumerate() {
+        for (n, row) in averaged.displacement.iter().enumerate() {
+            for (j, displacement) in row.iter().enumerate() {
                 // A′ is A·Σ, one power of A more than ψ′ at the same place.
                 let put = |list: &mut Vec<PiSum>, power: usize, value: &Coefficient<R>| {
-                    let place = power.checked_sub(lift * j).and_then(|power| list.get_mut(power));
-                    if let Some(place) = place {
-                        *place = number(value);
+                    let entry = power.checked_sub(lift * j).and_then(|power| list.get_mut(power));
+                    if let Some(coefficient) = entry {
+                        *coefficient = number(value);
                     }
                 };
                 put(&mut flow.phase_rate[j], n, &averaged.frequency[n][j]);
@@ -355,12 +355,12 @@ impl<'a> SlowFlowProblem<'a> {
 
 impl SlowFlow {
     fn term(&mut self, power: usize, k: usize, empty: &impl Fn() -> SlowSeries) -> &mut PhaseTerm {
-        let place = self.motion.iter().position(|term| (term.power, term.k) == (power, k));
-        let place = place.unwrap_or_else(|| {
+        let existing = self.motion.iter().position(|term| (term.power, term.k) == (power, k));
+        let index = existing.unwrap_or_else(|| {
             self.motion.push(PhaseTerm { power, k, cos: empty(), sin: empty() });
             self.motion.len() - 1
         });
-        &mut self.motion[place]
+        &mut self.motion[index]
     }
 }
 

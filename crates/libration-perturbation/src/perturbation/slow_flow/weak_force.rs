@@ -91,8 +91,8 @@ fn small_parameter(equation: &Equation, named: Option<&str>) -> Result<String, S
             Err(SlowFlowError::UnknownParameter { name: named.unwrap_or_default().to_owned(), open })
         }
         None => Err(SlowFlowError::WhichIsSmall { open }),
-        Some(place) => {
-            let parameter = open.remove(place);
+        Some(index) => {
+            let parameter = open.remove(index);
             if open.is_empty() { Ok(parameter) } else { Err(SlowFlowError::WithoutValue { names: open }) }
         }
     }
@@ -113,7 +113,7 @@ fn has_kinks(formula: &Expression, velocity: &Symbol) -> bool {
 }
 
 fn is_symbol(formula: &Expression, symbol: &Symbol) -> bool {
-    matches!(formula, Expression::Symbol(own) if own == symbol)
+    matches!(formula, Expression::Symbol(other) if other == symbol)
 }
 
 /// Returns `true` if the acceleration is proved to be the opposite at the opposite displacement and velocity.

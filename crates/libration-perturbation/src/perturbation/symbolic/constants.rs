@@ -52,31 +52,32 @@ pub fn expand_with_constants(
         return Ok(None);
     }
     let Some(equilibrium) = oscillator.equilibrium().exact() else { return Ok(None) };
-    let place = Expression::Number(equilibrium.clone());
-    let Ok(symbolic) = SymbolicOscillator::about(oscillator.equation(), &place) else { return Ok(None) };
+    let centre = Expression::Number(equilibrium.clone());
+    let Ok(symbolic) = SymbolicOscillator::about(oscillator.equation(), &centre) else { return Ok(None) };
     if symbolic.constants().len() > MAX_NAMES {
         return Ok(None);
     }
-    let mut found = match expand_symbolically(&symbolic, order, gauge, progress) {
-        Ok(found) => found,
+    let mut expansion = match expand_symbolically(&symbolic, order, gauge, progress) {
+        Ok(expansion) => expansion,
         Err(SymbolicExpansionError::NoSeries | SymbolicExpansionError::TooManyTerms) => return Ok(None),
         Err(error) => return Err(error),
     };
-    if found.series.certificate == Certificate::Unchecked {
+    if expansion.series.certificate == Certificate::Unchecked {
         let digits = expand(oscillator, order, gauge, progress)?;
-        found.series.certificate = match agree_with_values(&found, &digits) {
+        expansion.series.certificate = match agree_with_values(&expansion, &digits) {
             Some(true) => Certificate::Digits,
             Some(false) => return Err(ExpansionError::Contradiction.into()),
             None => return Ok(None),
         };
     }
-    Ok(Some(found))
+    Ok(Some(expansion))
 }
 
 /// Returns `true` if frequency and harmonics with the values of the constants are those in digits; `None` for constants without a value.
-fn agree_with_values(found: &SymbolicExpansion, digits: &Expansion) -> Option<bool> {
-    let values = found.constants.iter().map(|(_, constant)| value(constant)).collect::<Option<Vec<_>>>()?;
-    Some(agree(&coefficients(&found.series), &values, &coefficients(digits)))
+fn agree_with_values(expansion: &SymbolicExpansion, digits: &Expansion) -> Option<bool> {
+    let values =
+        expansion.constants.iter().map(|(_, constant)| value(constant)).collect::<Option<Vec<_>>>()?;
+    Some(agree(&coefficients(&expansion.series), &values, &coefficients(digits)))
 }
 
 /// The value of a formula without symbols.

@@ -12,7 +12,7 @@ pub(super) struct Frequency<'a> {
     /// ω0² in letters.
     square: &'a LaurentPolynomial,
     /// The index of ω0 among the symbols of the ring.
-    place: usize,
+    index: usize,
     /// Term by which sums are reduced.
     leading: Option<Leading>,
 }
@@ -30,9 +30,9 @@ struct Leading {
 impl<'a> Frequency<'a> {
     pub(super) fn new(oscillator: &'a SymbolicOscillator) -> Self {
         let (ring, square) = (oscillator.ring(), oscillator.omega0_squared());
-        let place = ring.letters().len() - 1;
-        let leading = if square.as_single_term().is_some() { None } else { leading(ring, square, place) };
-        Self { ring, square, place, leading }
+        let index = ring.letters().len() - 1;
+        let leading = if square.as_single_term().is_some() { None } else { leading(ring, square, index) };
+        Self { ring, square, index, leading }
     }
 
     /// ω0² as the recurrences take it.
@@ -52,20 +52,20 @@ impl<'a> Frequency<'a> {
 
     /// The name of ω0 in coefficients, where ω0² is a sum.
     pub(super) fn name(&self) -> Option<String> {
-        self.is_sum().then(|| self.ring.letters()[self.place].clone())
+        self.is_sum().then(|| self.ring.letters()[self.index].clone())
     }
 
     /// The name of ω0 with its root as a formula, if ω0² is one term whose root occurs in these coefficients.
     pub(super) fn named_root(&self, coefficients: &[LaurentPolynomial]) -> Option<(String, Expression)> {
         let occurs = |polynomial: &LaurentPolynomial| {
-            polynomial.half_powers().any(|(powers, _)| powers[self.place] != 0)
+            polynomial.half_powers().any(|(powers, _)| powers[self.index] != 0)
         };
         if self.is_sum() || !coefficients.iter().any(occurs) {
             return None;
         }
         let square = self.square.to_string().parse().ok()?;
         let root = Expression::Call(Function::Sqrt, Box::new(square));
-        Some((self.ring.letters()[self.place].clone(), root))
+        Some((self.ring.letters()[self.index].clone(), root))
     }
 
     fn is_sum(&self) -> bool {
@@ -73,7 +73,7 @@ impl<'a> Frequency<'a> {
     }
 
     fn symbol(&self) -> LaurentPolynomial {
-        self.ring.letter(self.place)
+        self.ring.letter(self.index)
     }
 
     /// The coefficient with ω0² written out as little as possible.
@@ -93,8 +93,8 @@ impl<'a> Frequency<'a> {
         let mut sum = self.ring.zero();
         for (powers, factor) in coefficient.half_powers() {
             let mut others = powers.clone();
-            let odd = if others[self.place] % 4 == 0 { 0 } else { 2 };
-            let square_power = whole_squares(std::mem::replace(&mut others[self.place], odd) - odd)?;
+            let odd = if others[self.index] % 4 == 0 { 0 } else { 2 };
+            let square_power = whole_squares(std::mem::replace(&mut others[self.index], odd) - odd)?;
             let square = self.ring.power(self.square, &Rational::from(square_power))?;
             sum = self.ring.add(&sum, &self.ring.multiply(&self.ring.term(others, factor.clone()), &square));
         }
@@ -106,9 +106,9 @@ impl<'a> Frequency<'a> {
     }
 
     fn vanishes(&self, difference: &LaurentPolynomial) -> bool {
-        let lowest = difference.half_powers().map(|(powers, _)| powers[self.place]).min().unwrap_or(0).min(0);
+        let lowest = difference.half_powers().map(|(powers, _)| powers[self.index]).min().unwrap_or(0).min(0);
         let mut powers: Box<[i64]> = vec![0; self.ring.letters().len()].into();
-        powers[self.place] = -lowest;
+        powers[self.index] = -lowest;
         let cleared = self.ring.multiply(difference, &self.ring.term(powers, Rational::from(1)));
         self.written_out(&cleared).is_some_and(|written| written.is_zero())
     }
@@ -119,15 +119,15 @@ fn whole_squares(half_power: i64) -> Option<i64> {
     (half_power % 4 == 0).then_some(half_power / 4)
 }
 
-fn leading(ring: &LaurentPolynomials, square: &LaurentPolynomial, place: usize) -> Option<Leading> {
-    let candidates = (0..place).flat_map(|letter| [(letter, 1), (letter, -1)]);
+fn leading(ring: &LaurentPolynomials, square: &LaurentPolynomial, index: usize) -> Option<Leading> {
+    let candidates = (0..index).flat_map(|letter| [(letter, 1), (letter, -1)]);
     candidates.into_iter().find_map(|(letter, direction)| {
         let power = square.half_powers().map(|(powers, _)| direction * powers[letter]).max()?;
         let term = ring.part(square, |powers| direction * powers[letter] == power);
         if power <= 0 || term.as_single_term().is_none() {
             return None;
         }
-        let symbol_squared = ring.multiply(&ring.letter(place), &ring.letter(place));
+        let symbol_squared = ring.multiply(&ring.letter(index), &ring.letter(index));
         let instead = ring.subtract(&symbol_squared, &ring.subtract(square, &term));
         Some(Leading { letter, direction, power, instead: ring.divide(&instead, &term)? })
     })
@@ -172,7 +172,7 @@ impl<'a> Point<'a> {
     }
 
     fn with_roots(frequency: &'a Frequency<'a>, root: impl Fn(i64) -> Option<Rational>) -> Option<Self> {
-        let roots = (0..i64::try_from(frequency.place).ok()?).map(root).collect::<Option<Vec<_>>>()?;
+        let roots = (0..i64::try_from(frequency.index).ok()?).map(root).collect::<Option<Vec<_>>>()?;
         let point = Self { frequency, roots, omega0_squared: Rational::from(1) };
         let omega0_squared = point.value(frequency.square).filter(|square| !square.is_zero())?;
         Some(Self { omega0_squared, ..point })
@@ -184,11 +184,11 @@ impl<'a> Point<'a> {
 
     /// The value of a coefficient; `None` if it is undefined there.
     pub(super) fn value(&self, coefficient: &LaurentPolynomial) -> Option<Rational> {
-        coefficient.value(|place, half_power| {
-            if place == self.frequency.place {
+        coefficient.value(|index, half_power| {
+            if index == self.frequency.index {
                 return self.omega0_squared.integer_power(isize::try_from(whole_squares(half_power)?).ok()?);
             }
-            self.roots.get(place)?.integer_power(isize::try_from(half_power).ok()?)
+            self.roots.get(index)?.integer_power(isize::try_from(half_power).ok()?)
         })
     }
 }

@@ -120,8 +120,8 @@ impl SymbolicProblem<'_> {
             return Err(SymbolicExpansionError::TooManyTerms);
         }
         let interrupted = |set: SeriesSet<_>| {
-            let known = (set.order() > 0).then(|| Box::new(self.heading(set, Certificate::Unchecked)));
-            SymbolicExpansionError::Interrupted { known }
+            let partial = (set.order() > 0).then(|| Box::new(self.heading(set, Certificate::Unchecked)));
+            SymbolicExpansionError::Interrupted { known: partial }
         };
         if watch.is_stopped() {
             return Err(interrupted(set));
@@ -179,8 +179,8 @@ impl SymbolicProblem<'_> {
 
     /// Returns `true` if the expansion with numbers, modulo primes, has the same coefficients; `None` without such an expansion.
     fn agrees_with_numbers(&self, set: &SeriesSet<LaurentPolynomial>, watch: &Watch<'_>) -> Option<bool> {
-        let own = set.numbers();
-        let largest = own.iter().map(LaurentPolynomial::largest_half_power).max().unwrap_or(0);
+        let coefficients = set.numbers();
+        let largest = coefficients.iter().map(LaurentPolynomial::largest_half_power).max().unwrap_or(0);
         let point = Point::new(&self.frequency, largest)?;
         let values = self.oscillator.values().iter().map(|value| point.value(value));
         if *self.oscillator.kind() == Kind::Mirrored && point.omega0_squared().square_root().is_none() {
@@ -192,8 +192,11 @@ impl SymbolicProblem<'_> {
             Err(Unsolved::Interrupted(_) | Unsolved::NoPrimes) => return None,
         };
         Some(
-            own.len() == numbers.len()
-                && own.iter().zip(&numbers).all(|(own, number)| point.value(own).as_ref() == Some(number)),
+            coefficients.len() == numbers.len()
+                && coefficients
+                    .iter()
+                    .zip(&numbers)
+                    .all(|(coefficient, number)| point.value(coefficient).as_ref() == Some(number)),
         )
     }
 

@@ -32,21 +32,21 @@ pub(super) fn all_roots(
     expected: usize,
     watch: &Watch<'_>,
 ) -> Result<Vec<Root>, Interrupted> {
-    let mut found: Vec<Root> = Vec::new();
+    let mut roots: Vec<Root> = Vec::new();
     watch.begin(Stage::Whole, Some(expected));
     // Another way through the complex plane for each attempt, and smaller steps.
     for attempt in 1..=3 {
         let homotopy = Homotopy::new(equations, amplitude, f64::from(attempt));
         for start in homotopy.starts() {
-            watch.reached(found.len())?;
+            watch.reached(roots.len())?;
             let root = homotopy.follow(start);
-            found.extend(root.filter(|root| !found.iter().any(|other| coincide(root, other))));
+            roots.extend(root.filter(|root| !roots.iter().any(|other| coincide(root, other))));
         }
-        if found.len() >= expected {
+        if roots.len() >= expected {
             break;
         }
     }
-    Ok(found)
+    Ok(roots)
 }
 
 impl Root {
@@ -160,26 +160,26 @@ impl<'a> Homotopy<'a> {
 
     /// dz/ds.
     fn direction(&self, s: f64, z: &[Complex]) -> Option<Vec<Complex>> {
-        let (known, sought) = (self.known(z), target(self.equations, self.amplitude, z));
-        let change = known.values.iter().zip(&sought.values).map(|(a, b)| self.gamma * *a - *b);
-        solve_complex(&self.mixed(s, &known, &sought).derivatives, &change.collect::<Vec<_>>())
+        let (start, sought) = (self.start_system(z), target(self.equations, self.amplitude, z));
+        let change = start.values.iter().zip(&sought.values).map(|(a, b)| self.gamma * *a - *b);
+        solve_complex(&self.mixed(s, &start, &sought).derivatives, &change.collect::<Vec<_>>())
     }
 
     fn linearization(&self, s: f64, z: &[Complex]) -> Linearization {
-        self.mixed(s, &self.known(z), &target(self.equations, self.amplitude, z))
+        self.mixed(s, &self.start_system(z), &target(self.equations, self.amplitude, z))
     }
 
-    fn mixed(&self, s: f64, known: &Linearization, sought: &Linearization) -> Linearization {
+    fn mixed(&self, s: f64, start: &Linearization, sought: &Linearization) -> Linearization {
         let weight = self.gamma.scaled(1.0 - s);
         let mix = |a: &[Complex], b: &[Complex]| -> Vec<Complex> {
             a.iter().zip(b).map(|(a, b)| weight * *a + b.scaled(s)).collect()
         };
-        let rows = known.derivatives.iter().zip(&sought.derivatives).map(|(a, b)| mix(a, b));
-        Linearization { values: mix(&known.values, &sought.values), derivatives: rows.collect() }
+        let rows = start.derivatives.iter().zip(&sought.derivatives).map(|(a, b)| mix(a, b));
+        Linearization { values: mix(&start.values, &sought.values), derivatives: rows.collect() }
     }
 
     /// −n²Δ²aₙ + cₙaₙᵈ, and the difference of Σ aₙ from its value at the start.
-    fn known(&self, z: &[Complex]) -> Linearization {
+    fn start_system(&self, z: &[Complex]) -> Linearization {
         let k = self.factors.len();
         let degree = u32::try_from(self.equations.degree()).unwrap_or(u32::MAX);
         let mut derivatives = vec![vec![Complex::default(); k + 1]; k + 1];

@@ -16,9 +16,9 @@ pub(super) fn integrals(
     let length = side.displacement.len();
     let mut sums = vec![vec![floats.zero(); length]; harmonics.len()];
     let highest = harmonics.last().copied().unwrap_or(0);
-    for (place, weight) in upper_places(floats, number_of_places(floats, length + highest)) {
+    for (node, weight) in upper_places(floats, number_of_places(floats, length + highest)) {
         watch.go_on().ok()?;
-        let at = Place::new(floats, side, floats.multiply(&place, &floats.pi()?.halved()))?;
+        let at = Place::new(floats, side, floats.multiply(&node, &floats.pi()?.halved()))?;
         for (sum, &k) in sums.iter_mut().zip(harmonics) {
             for (sum, value) in sum.iter_mut().zip(at.integrand(k)?) {
                 *sum = floats.add(sum, &floats.multiply(&weight, &value));
@@ -77,10 +77,10 @@ impl<'a> Place<'a> {
     fn integrand(&self, k: usize) -> Option<Vec<BigFloat>> {
         let floats = self.floats;
         let length = self.side.displacement.len();
-        let place = |n: usize| floats.multiply(&self.side.displacement[n], &self.cosines[n]);
+        let projected = |n: usize| floats.multiply(&self.side.displacement[n], &self.cosines[n]);
         if k == 0 {
-            let places: Vec<BigFloat> = (0..length).map(place).collect();
-            let twice = floats.series_product(&places, &self.rate, length);
+            let products: Vec<BigFloat> = (0..length).map(projected).collect();
+            let twice = floats.series_product(&products, &self.rate, length);
             return Some(twice.into_iter().map(BigFloat::halved).collect());
         }
         let angle = floats.times_integer(&self.angle, i64::try_from(k).ok()?);
@@ -112,25 +112,25 @@ fn number_of_places(floats: Floats, frequencies: usize) -> usize {
 
 /// The nodes above zero of Gauss's rule from −1 to 1, with their weights: the zeros of the Legendre polynomial, by Newton's method.
 fn upper_places(floats: Floats, places: usize) -> Vec<(BigFloat, BigFloat)> {
-    let places = places + places % 2;
-    let near = |i: usize| libm::cos(std::f64::consts::PI * (count(i) + 0.75) / (count(places) + 0.5));
-    (0..places / 2).filter_map(|i| gauss_place(floats, places, near(i))).collect()
+    let nodes = places + places % 2;
+    let near = |i: usize| libm::cos(std::f64::consts::PI * (count(i) + 0.75) / (count(nodes) + 0.5));
+    (0..nodes / 2).filter_map(|i| gauss_place(floats, nodes, near(i))).collect()
 }
 
 fn gauss_place(floats: Floats, degree: usize, near: f64) -> Option<(BigFloat, BigFloat)> {
     // From 1e-16 three steps lead to 1e-128, more bits take more.
     let steps = 3 + floats.precision / 400;
     let one = floats.rational(&1.into())?;
-    let mut place = BigFloat::from_f64(near, floats.precision)?;
+    let mut node = BigFloat::from_f64(near, floats.precision)?;
     for _ in 0..=steps {
-        let (value, slope) = legendre(floats, degree, &place)?;
-        place = floats.subtract(&place, &floats.divide(&value, &slope)?);
+        let (value, slope) = legendre(floats, degree, &node)?;
+        node = floats.subtract(&node, &floats.divide(&value, &slope)?);
     }
-    let (_, slope) = legendre(floats, degree, &place)?;
-    let beyond = floats.subtract(&one, &floats.multiply(&place, &place));
+    let (_, slope) = legendre(floats, degree, &node)?;
+    let beyond = floats.subtract(&one, &floats.multiply(&node, &node));
     let weight = floats
         .divide(&floats.rational(&2.into())?, &floats.multiply(&beyond, &floats.multiply(&slope, &slope)))?;
-    Some((place, weight))
+    Some((node, weight))
 }
 
 /// Pₙ and its derivative n(tPₙ − Pₙ₋₁)/(t² − 1).

@@ -66,9 +66,10 @@ impl<'a> Swing<'a> {
     fn integral(&self, k: usize) -> Option<Vec<Number>> {
         let (ring, length) = (&self.ring, self.side.displacement.len());
         if k == 0 {
-            let place = |(cosine, c): (&Function, &Number)| ring.times_number(cosine, c);
-            let places: Vec<Function> = self.cosines.iter().zip(self.side.displacement).map(place).collect();
-            let twice = ring.series_product(&places, &self.rate, length);
+            let product = |(cosine, c): (&Function, &Number)| ring.times_number(cosine, c);
+            let products: Vec<Function> =
+                self.cosines.iter().zip(self.side.displacement).map(product).collect();
+            let twice = ring.series_product(&products, &self.rate, length);
             return twice.iter().map(|part| NUMBERS.over_integer(&mean(ring, part)?, 2)).collect();
         }
         let [cosine, sine] = turned(ring, k, &self.delta)?;

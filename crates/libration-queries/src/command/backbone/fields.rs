@@ -167,8 +167,10 @@ impl Point<'_> {
 }
 
 fn enclosing(point: &Point<'_>) -> Option<String> {
-    let place = short(point.encloses()?, 6);
-    Some(format!("the orbit also encloses the equilibrium at {place}, so that the series does not apply"))
+    let equilibrium = short(point.encloses()?, 6);
+    Some(format!(
+        "the orbit also encloses the equilibrium at {equilibrium}, so that the series does not apply"
+    ))
 }
 
 /// The distance of the series from the exact value, or else from the orbit.

@@ -37,12 +37,12 @@ pub(super) fn table(out: &mut dyn Write, answer: &BackboneResult, listed: bool) 
 fn write_enclosing(out: &mut dyn Write, answer: &BackboneResult, points: &[Point<'_>]) -> io::Result<()> {
     let enclosing: Vec<(&Point<'_>, f64)> =
         points.iter().filter_map(|point| Some((point, point.encloses()?))).collect();
-    let Some((first, place)) = enclosing.first() else { return Ok(()) };
+    let Some((first, equilibrium)) = enclosing.first() else { return Ok(()) };
     let told = format!(
         "At {} of the amplitudes, the first at {}, the orbit also encloses the equilibrium at {}, so that the series does not apply.",
         enclosing.len(),
         answer.amplitude_text(first.point.amplitude, 10),
-        answer.amplitude_text(*place, 6)
+        answer.amplitude_text(*equilibrium, 6)
     );
     writeln!(out)?;
     write_text(out, "", &told)

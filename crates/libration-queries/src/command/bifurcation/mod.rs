@@ -82,7 +82,7 @@ enum SweepOrder {
 pub(crate) struct Diagram<'a> {
     pub(crate) model: &'a Model,
     pub(crate) options: &'a SectionOptions,
-    pub(crate) place: String,
+    pub(crate) section: String,
     pub(crate) points: Points,
     pub(crate) angles: Vec<bool>,
     pub(crate) parameter: &'a ParameterRange,
@@ -93,15 +93,15 @@ impl Bifurcation {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let model = self.system.model_with_open(&[&self.over.name], &option("over"))?;
         let start = Moment { time: 0.0, state: self.initial.read(&model)?.state };
-        let place = self.section.section(&model);
+        let section = self.section.section(&model);
         let diagram = Diagram {
             model: &model,
             options: &self.section,
-            place: self.section.description(&place, model.equation()),
+            section: self.section.description(&section, model.equation()),
             points: self.section.points_of_attractor(POINTS),
             angles: angles(model.equation()),
             parameter: &self.over,
-            sweeps: self.sweeps(&model, &place, &start)?,
+            sweeps: self.sweeps(&model, &section, &start)?,
         };
         let reason = diagram.without_points().filter(|_| diagram.is_complete());
         let mut without_points = reason.map(|reason| {
@@ -146,13 +146,13 @@ impl Bifurcation {
     fn sweeps(
         &self,
         model: &Model,
-        place: &Section,
+        section: &Section,
         start: &Moment,
     ) -> Result<Vec<DiagramSweep>, QueryError> {
         let family = Family {
             equation: model.equation(),
             parameter: &self.over.name,
-            section: place,
+            section,
             points: self.section.points_of_attractor(POINTS),
         };
         let pieces = self.pieces();

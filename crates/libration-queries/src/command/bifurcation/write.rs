@@ -93,7 +93,7 @@ impl Diagram<'_> {
 
     fn points_text(&self) -> String {
         let Points { recorded, skipped } = self.points;
-        format!("{recorded} for each value, {}, after discarding {skipped} as transient", self.place)
+        format!("{recorded} for each value, {}, after discarding {skipped} as transient", self.section)
     }
 
     /// The values at which the motion ended early, with the reasons.
@@ -121,7 +121,7 @@ fn of_diagram<'a>() -> Fields<Diagram<'a>> {
             diagram.parameter.name.as_str().into()
         }),
         Of::value("section", "", "condition at which points are recorded, in words", |diagram| {
-            diagram.place.as_str().into()
+            diagram.section.as_str().into()
         })
         .line_of("points", Diagram::points_text),
         Of::value("skipped", "1", "number of points discarded as transient, for each value", |diagram| {

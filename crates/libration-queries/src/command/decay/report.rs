@@ -105,8 +105,8 @@ impl Report {
     fn slow_cycle(&self, number: usize, duration: f64) -> Option<SlowCycle> {
         self.turns[number].slow?;
         let ends = self.slow_turns.get(number - 2).zip(self.slow_turns.get(number));
-        let own = ends.map_or(f64::NAN, |(begin, end)| end - begin);
-        Some(SlowCycle { duration: own, error: own - duration })
+        let slow_duration = ends.map_or(f64::NAN, |(begin, end)| end - begin);
+        Some(SlowCycle { duration: slow_duration, error: slow_duration - duration })
     }
 
     /// All turning points.

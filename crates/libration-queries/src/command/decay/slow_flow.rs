@@ -36,9 +36,9 @@ pub(super) struct Compared<'a> {
 
 pub(super) fn follow(decay: &Decay, [order, damping_order]: [usize; 2]) -> Result<SlowDecay, QueryError> {
     let how_far = || format!("slow flow to order {order}");
-    let found =
+    let slow_flow =
         parallel::with_progress(how_far, || SlowDecay::new(decay, order, damping_order, &Cancellation));
-    found.map_err(|error| match error {
+    slow_flow.map_err(|error| match error {
         SlowDecayError::SlowFlow(SlowFlowError::Interrupted) => {
             QueryError::cancelled("interrupted before the slow flow was known")
         }

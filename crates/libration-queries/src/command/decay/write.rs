@@ -150,8 +150,8 @@ impl DecayResult<'_> {
 
     /// Q of linear damping, or at the first and the last amplitude.
     fn quality(&self) -> String {
-        let found = Found { decay: self.decay, report: self.report };
-        let first = short(found.quality(), 4);
+        let decay = Found { decay: self.decay, report: self.report };
+        let first = short(decay.quality(), 4);
         if let [only] = self.decay.damping().terms()
             && only.exponent.total_cmp(&1.0).is_eq()
         {

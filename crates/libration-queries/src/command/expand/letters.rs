@@ -18,8 +18,8 @@ pub(super) fn answer(
         with_orders_shown(order, |progress| expand_symbolically(&chosen.oscillator, order, gauge, progress));
     match expansion {
         Ok(expansion) => Ok(ExpandResult::with_letters(&equation, chosen, expansion, None)),
-        Err(SymbolicExpansionError::Interrupted { known: Some(known) }) => {
-            Ok(ExpandResult::with_letters(&equation, chosen, *known, Some(order)))
+        Err(SymbolicExpansionError::Interrupted { known: Some(partial) }) => {
+            Ok(ExpandResult::with_letters(&equation, chosen, *partial, Some(order)))
         }
         Err(SymbolicExpansionError::Interrupted { known: None }) => {
             Err(QueryError::cancelled("interrupted before any order was found"))

@@ -74,9 +74,9 @@ fn number<C: Coefficient>(value: &C, precision: Precision) -> String {
 fn setting<C: Coefficient>(answer: &ExpandResult<C>) -> String {
     let expansion = &answer.expansion;
     let number = |value| number(value, expansion.precision);
-    let (place, square) = (number(&expansion.equilibrium), number(&expansion.omega0_squared));
+    let (equilibrium, square) = (number(&expansion.equilibrium), number(&expansion.omega0_squared));
     let root = answer.letters.as_ref().map_or(String::new(), root_in_words);
-    format!("about {} = {place}, where ω0² = {square}{root}", answer.subject.variable)
+    format!("about {} = {equilibrium}, where ω0² = {square}{root}", answer.subject.variable)
 }
 
 /// A description of ω0 where its square has letters.

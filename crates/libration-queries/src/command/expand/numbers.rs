@@ -56,8 +56,8 @@ impl Expand {
         }
         let answer = match expanded(&chosen.oscillator, order, &self.gauge()) {
             Ok(expansion) => ExpandResult::new(chosen, expansion, None),
-            Err(ExpansionError::Interrupted { known: Some(known) }) => {
-                ExpandResult::new(chosen, *known, Some(order))
+            Err(ExpansionError::Interrupted { known: Some(partial) }) => {
+                ExpandResult::new(chosen, *partial, Some(order))
             }
             Err(error @ ExpansionError::NotPolynomial) => return Ok(Err(error)),
             Err(error) => return Err(refusal(error)),

@@ -67,8 +67,8 @@ impl ErrorsFigure {
         if !self.formulas.chosen().is_empty() {
             return Ok(self.formulas.chosen().to_vec());
         }
-        let found = FIRST_FIGURE.into_iter().map(PeriodFormula::by_key).collect::<Result<_, _>>();
-        found.map_err(|error| QueryError::no_result(option("formulas"), error))
+        let formulas = FIRST_FIGURE.into_iter().map(PeriodFormula::by_key).collect::<Result<_, _>>();
+        formulas.map_err(|error| QueryError::no_result(option("formulas"), error))
     }
 }
 

@@ -231,8 +231,8 @@ fn lines(
             line("partial sum", label, &|sample| sum_to(&sample.evaluation, power))
         })
         .collect();
-    let found = DEGREES.into_iter().find_map(|degree| Some((degree, relation.approximant(degree)?)));
-    if let Some((degree, approximant)) = found {
+    let entry = DEGREES.into_iter().find_map(|degree| Some((degree, relation.approximant(degree)?)));
+    if let Some((degree, approximant)) = entry {
         let label = format!("Padé [{degree}/{degree}]");
         lines.push(line("Padé", label, &|sample| approximant.value_at(sample.amplitude)));
     }

@@ -90,7 +90,7 @@ impl Trajectories {
         }
         let runs = self.runs()?;
         let model = &runs[0].model;
-        let axis = |place| StateAxis::new(model, place);
+        let axis = |index| StateAxis::new(model, index);
         let one = |argument: Parameter, name: &Option<CoordinateName>| {
             name.as_deref().map(|name| place_in_state(model, &argument, name).map(axis)).transpose()
         };
@@ -139,7 +139,7 @@ impl Trajectories {
 
     /// The motions that are done before a cancellation.
     fn sampled(&self, runs: &[DrawnMotion]) -> Result<Vec<Sampled>, QueryError> {
-        let time = |place: usize| self.from + (self.to - self.from) * (count(place) / count(POINTS - 1));
+        let time = |index: usize| self.from + (self.to - self.from) * (count(index) / count(POINTS - 1));
         done(runs, |run| {
             let mut sampled = Sampled { label: run.label.clone(), times: vec![], states: vec![] };
             run.integrate(self.to, &EFFORT, |step| {
@@ -189,8 +189,8 @@ fn done<T>(
 
 /// A coordinate that grows has a velocity that may not.
 fn no_spectrum(error: &SpectrumError, run: &DrawnMotion, shown: &StateAxis) -> QueryError {
-    let place = shown.place;
-    let reason = match (error, run.system.layout().velocity(place)) {
+    let component = shown.place;
+    let reason = match (error, run.system.layout().velocity(component)) {
         (SpectrumError::Trend { first, last }, Some(_)) => {
             let name = shown.name();
             format!(
@@ -240,9 +240,9 @@ fn label_starts(runs: &mut [DrawnMotion]) {
     let starts: Vec<Vec<String>> = runs.iter().map(DrawnMotion::numbers_of_start).collect();
     let shared = common(&starts);
     for (run, start) in runs.iter_mut().zip(starts) {
-        let own = start.into_iter().filter(|number| !shared.contains(number));
+        let values = start.into_iter().filter(|number| !shared.contains(number));
         let parameter = Some(run.label.clone()).filter(|label| !label.is_empty());
-        run.label = parameter.into_iter().chain(own).collect::<Vec<_>>().join(", ");
+        run.label = parameter.into_iter().chain(values).collect::<Vec<_>>().join(", ");
     }
     if runs.len() > 1 {
         runs.iter_mut().filter(|run| run.label.is_empty()).for_each(|run| run.label = "from rest".to_owned());

@@ -34,7 +34,7 @@ impl Roles {
     pub(super) fn of(table: &Table) -> Option<Self> {
         let columns: Vec<Column> = (1..=table.width()).map(Column::Number).collect();
         let find = |kind: NamedQuantity| {
-            columns.iter().position(|column| named(table, column) == kind).map(|place| place + 1)
+            columns.iter().position(|column| named(table, column) == kind).map(|index| index + 1)
         };
         let [time, swings] = [Against::Time, Against::Swings].map(|kind| find(NamedQuantity::Position(kind)));
         let roles = [

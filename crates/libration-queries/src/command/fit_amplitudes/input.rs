@@ -198,15 +198,15 @@ fn in_full_swings(
     against: Against,
 ) -> ColumnsInSi<6> {
     let columns = if against == Against::Swings { &[0, 2, 4][..] } else { &[4] };
-    for &place in columns {
+    for &index in columns {
         // Uncertainties of numbers of swings have the unit of these.
-        let Some(column) = chosen.column(if place == 2 { 0 } else { place }) else { continue };
+        let Some(column) = chosen.column(if index == 2 { 0 } else { index }) else { continue };
         if !columns::are_half_swings(table, column) {
             continue;
         }
-        read.columns[place].iter_mut().flatten().for_each(|number| *number *= 0.5);
+        read.columns[index].iter_mut().flatten().for_each(|number| *number *= 0.5);
         if let Ok(column) = table.describe(column)
-            && place != 2
+            && index != 2
         {
             read.inferences.sentences.push(format!("{column} holds numbers of half swings"));
         }

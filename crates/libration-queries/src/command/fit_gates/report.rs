@@ -18,7 +18,7 @@ pub(super) fn document(answer: &FitGatesResult<'_>, file: &str) -> Document {
     let read = answer.findings.iter().map(|finding| ("detected", finding.clone()));
     // A period is the difference of two times.
     let (of_time, of_period) = (answer.fit.timing, answer.fit.timing.map(|timing| SQRT_2 * timing));
-    let value = |value: f64, error: Option<f64>| fit_report::known(value, error).swap_remove(0);
+    let value = |value: f64, error: Option<f64>| fit_report::to_known_digits(value, error).swap_remove(0);
     let cells = |cycle: &GateCycle| {
         let amplitude =
             cycle.amplitude.map_or("–".to_owned(), |amplitude| short(amplitude.to_degrees(), 5));

@@ -147,10 +147,10 @@ fn groups_of(read: &LengthFile, fit: &LengthsFit, options: &LengthsOptions) -> O
     let shared = contributions
         .filter(|contribution| !is_own(contribution))
         .map(|contribution| contribution.change() * contribution.change());
-    let own = LengthsOptions { corrections: options.corrections, ..LengthsOptions::default() };
+    let of_group = LengthsOptions { corrections: options.corrections, ..LengthsOptions::default() };
     let of_rows = |rows: &[usize]| {
-        let fit =
-            fit::fit_lengths(&read.measured.table.only(rows), &own).map_err(|error| error.to_string())?;
+        let fit = fit::fit_lengths(&read.measured.table.only(rows), &of_group)
+            .map_err(|error| error.to_string())?;
         let slope = fit.combined.contributions.iter().find(|contribution| is_own(contribution));
         Ok((fit.best().g, slope.map_or(f64::INFINITY, |slope| slope.degrees_of_freedom)))
     };

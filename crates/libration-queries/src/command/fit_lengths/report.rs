@@ -1,7 +1,7 @@
 //! The report of periods against lengths.
 
 use super::fields::{self, FitLengthsResult};
-use crate::command::fit_report::{self, FitReport, known};
+use crate::command::fit_report::{self, FitReport, to_known_digits};
 use crate::document::{Block, Document};
 use crate::figure;
 use crate::output::number::rounded;
@@ -67,8 +67,8 @@ fn rows(answer: &FitLengthsResult<'_>) -> Vec<Block> {
     let of = |column: &Option<Vec<f64>>, row: usize| column.as_ref().map(|column| column[row]);
     let cells = |row: usize| {
         let group = answer.table.groups.as_ref().map(|groups| groups[row].clone());
-        let length = known(measured.lengths[row], of(&measured.length_uncertainties, row));
-        let period = known(measured.periods[row], of(&measured.period_uncertainties, row));
+        let length = to_known_digits(measured.lengths[row], of(&measured.length_uncertainties, row));
+        let period = to_known_digits(measured.periods[row], of(&measured.period_uncertainties, row));
         let residual =
             best.residuals.get(row).map_or_else(String::new, |residual| rounded(1e3 * residual, 2));
         [vec![(row + 1).to_string()], group.into_iter().collect(), length, period, vec![residual]].concat()

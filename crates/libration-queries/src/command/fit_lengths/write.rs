@@ -98,8 +98,9 @@ impl FitLengthsResult<'_> {
         if let Some(groups) = self.groups {
             lines.push(("g, groups", groups.line()));
         }
-        if let Some(known) = self.fit.known_gyration {
-            lines.push(("bob", format!("κ = I/m = {} m² is part of every law", number::rounded(known, 4))));
+        if let Some(gyration) = self.fit.known_gyration {
+            lines
+                .push(("bob", format!("κ = I/m = {} m² is part of every law", number::rounded(gyration, 4))));
         }
         lines
     }

@@ -1,7 +1,7 @@
 //! The report of periods against amplitudes.
 
 use super::fields::{self, FitPeriodsResult};
-use crate::command::fit_report::{self, FitReport, known};
+use crate::command::fit_report::{self, FitReport, to_known_digits};
 use crate::document::{Block, Document};
 use crate::figure;
 use crate::output::number::rounded;
@@ -47,13 +47,14 @@ pub(super) fn document(answer: &FitPeriodsResult<'_>, file: &str, left_out: &[us
 /// Every row that was fitted, with its residual.
 fn rows(answer: &FitPeriodsResult<'_>, left_out: &[usize]) -> Vec<Block> {
     let fitted = (0..answer.measured.rows.len()).filter(|row| !left_out.contains(row));
-    let cells = |(place, row): (usize, usize)| {
+    let cells = |(number, row): (usize, usize)| {
         let of = &answer.measured.rows[row];
         let line = answer.measured.lines.get(row).map_or_else(String::new, ToString::to_string);
         let group = answer.measured.groups.as_ref().map(|groups| groups[row].clone());
-        let amplitude = known(of.amplitude.to_degrees(), of.amplitude_uncertainty.map(f64::to_degrees));
-        let period = known(of.period, of.period_uncertainty);
-        let residual = answer.fit.exact.residuals.get(place);
+        let amplitude =
+            to_known_digits(of.amplitude.to_degrees(), of.amplitude_uncertainty.map(f64::to_degrees));
+        let period = to_known_digits(of.period, of.period_uncertainty);
+        let residual = answer.fit.exact.residuals.get(number);
         let residual = residual.map_or_else(String::new, |residual| rounded(1e3 * residual, 2));
         [vec![line], group.into_iter().collect(), amplitude, period, vec![residual]].concat()
     };

@@ -33,14 +33,14 @@ impl FitTraceInput {
         let mut measured = ReadRecordings { files: vec![], traces: vec![] };
         for path in &self.files {
             let name = path.display().to_string();
-            let found = options.traces(path)?;
-            for trace in found.traces {
+            let traces = options.traces(path)?;
+            for trace in traces.traces {
                 let of_trace = self.name(&trace, path);
                 measured.traces.push(trace.named(&of_trace));
             }
             measured
                 .files
-                .push(File { name, findings: found.findings.iter().map(finding_with_option).collect() });
+                .push(File { name, findings: traces.findings.iter().map(finding_with_option).collect() });
         }
         Ok(measured)
     }

@@ -77,8 +77,8 @@ pub(super) fn of_curve() -> [Field<Entry>; 2] {
 }
 
 pub(super) fn write(out: &mut dyn Write, entries: &[Entry]) -> io::Result<()> {
-    entries.iter().enumerate().try_for_each(|(place, entry)| {
-        if place > 0 {
+    entries.iter().enumerate().try_for_each(|(index, entry)| {
+        if index > 0 {
             writeln!(out)?;
         }
         write_sheet(out, &entry.formula)

@@ -66,8 +66,8 @@ impl Formulas {
     /// The formulas that meet the tolerance, each with the amplitude up to which it does.
     fn sufficient(&self, formulas: &[PeriodFormula], tolerance: f64) -> Result<Vec<Entry>, QueryError> {
         let table = error_table::error_table(formulas)?;
-        let place = |key: &str| table.formulas().position(|formula| formula.key() == key);
-        let holds_to = |key: &str| place(key).map(|place| table.holds_to(place, tolerance));
+        let row = |key: &str| table.formulas().position(|formula| formula.key() == key);
+        let holds_to = |key: &str| row(key).map(|index| table.holds_to(index, tolerance));
         let chosen: Vec<&PeriodFormula> = match &self.amplitude {
             Some(amplitude) => table.simplest(&arguments::one_amplitude(amplitude)?.angle(), tolerance),
             None => formulas.iter().collect(),

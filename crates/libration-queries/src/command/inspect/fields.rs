@@ -33,7 +33,7 @@ pub(super) fn of_file() -> Fields<InspectResult> {
             .line_of("format", |result| format!("{}, {} bytes", format(result), result.bytes)),
         Of::nested("sheets[].", &of_sheet(), |result| of_sheet().records(result.recording.sheets())),
         Of::nested("traces[].", &of_trace(), |result| {
-            of_trace().records(result.traces.iter().flat_map(|found| &found.traces))
+            of_trace().records(result.traces.iter().flat_map(|traces| &traces.traces))
         }),
         Of::value("gate_times", "1", "number of times of a photogate, or null", |result| {
             result.gates.as_ref().map(|gates| gates.times.len()).into()
@@ -51,7 +51,7 @@ pub(super) fn of_file() -> Fields<InspectResult> {
             result.with_values.then(|| of_column_values().records(&all_columns(result)))
         }),
         Of::present_nested("trace_values[].", &of_trace_values(), |result| {
-            let traces = || result.traces.iter().flat_map(|found| &found.traces);
+            let traces = || result.traces.iter().flat_map(|traces| &traces.traces);
             result.with_values.then(|| of_trace_values().records(traces()))
         }),
         Of::nested("findings[].", &of_finding(), |result| of_finding().records(&result.findings())),

@@ -51,9 +51,9 @@ fn write_sheet(out: &mut dyn Write, sheet: &Sheet) -> io::Result<()> {
 
 fn write_what_would_be_fitted(out: &mut dyn Write, answer: &InspectResult) -> io::Result<()> {
     match (&answer.traces, &answer.gates) {
-        (Ok(found), _) => {
+        (Ok(traces), _) => {
             writeln!(out, "`libration fit trace` would fit")?;
-            found
+            traces
                 .traces
                 .iter()
                 .try_for_each(|trace| writeln!(out, "{}", paragraph("  - ", &trace_line(trace), COLUMNS)))
@@ -100,7 +100,7 @@ fn trace_line(trace: &Trace) -> String {
     let (first, last) = (trace.times()[0], trace.times()[trace.len() - 1]);
     let clock = clock(trace).map_or_else(String::new, |clock| {
         let interval = short(clock.interval, 7);
-        // Rounding of written times is no jitter.
+        // Rounding of written times is not jitter.
         match clock.jitter > 1e-6 * clock.interval {
             true => format!(", every {interval} s (jitter {} s)", short(clock.jitter, 2)),
             false => format!(", every {interval} s"),

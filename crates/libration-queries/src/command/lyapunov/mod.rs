@@ -71,7 +71,7 @@ pub(crate) struct LyapunovResult<'a> {
     pub(crate) model: &'a Model,
     pub(crate) initial: Vec<f64>,
     pub(crate) schedule: Schedule,
-    pub(crate) found: LyapunovExponent,
+    pub(crate) exponent: LyapunovExponent,
 }
 
 impl Lyapunov {
@@ -82,11 +82,11 @@ impl Lyapunov {
         let effort = Effort::to_tolerance(self.tolerance);
         let schedule = self.schedule(&model, &start, &effort).map_err(failure)?;
         interrupt::listen()?;
-        let found = measured(&model, &start, &schedule, &effort).map_err(failure)?;
-        let answer = LyapunovResult { model: &model, initial, schedule, found };
+        let exponent = measured(&model, &start, &schedule, &effort).map_err(failure)?;
+        let answer = LyapunovResult { model: &model, initial, schedule, exponent };
         let drawn = match &self.figure {
             Some(path) => {
-                let picture = figure::lyapunov::convergence(&model, &answer.initial, &answer.found);
+                let picture = figure::lyapunov::convergence(&model, &answer.initial, &answer.exponent);
                 vec![figure::file::write(path, &picture, &self.layout)?]
             }
             None => vec![],
@@ -94,7 +94,7 @@ impl Lyapunov {
         answer.write(out, self.form.form(), drawn.is_empty())?;
         announce(out, self.form.form(), &drawn)?;
         out.flush()?;
-        match answer.found.verdict {
+        match answer.exponent.verdict {
             LyapunovVerdict::Undecided(Doubt::Stopped(Cause::Interrupted)) => {
                 Err(QueryError::cancelled("interrupted: the estimate up to then is written"))
             }

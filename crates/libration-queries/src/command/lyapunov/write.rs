@@ -23,24 +23,24 @@ impl LyapunovResult<'_> {
 
     fn write_json(&self, out: &mut dyn Write) -> io::Result<()> {
         let fields = of_point();
-        let records = self.found.convergence.iter().map(|point| fields.record(point));
+        let records = self.exponent.convergence.iter().map(|point| fields.record(point));
         json::document_with_list(out, of_answer().record(self), "convergence", records)
     }
 
     fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
-        of_point().write_csv(out, &self.found.convergence)
+        of_point().write_csv(out, &self.exponent.convergence)
     }
 
     fn write_sheet(&self, out: &mut dyn Write, listed: bool) -> io::Result<()> {
         sheet(out, &of_answer().lines(self))?;
-        let found = &self.found;
-        let verdict = format!("{}: {}", found.verdict, found.verdict.reason());
+        let exponent = &self.exponent;
+        let verdict = format!("{}: {}", exponent.verdict, exponent.verdict.reason());
         writeln!(out, "{}", paragraph("verdict                    ", &verdict, COLUMNS))?;
         if !listed {
             return Ok(());
         }
         writeln!(out)?;
-        of_point().write_table(out, self.found.convergence.iter().rev().step_by(4).rev())
+        of_point().write_table(out, self.exponent.convergence.iter().rev().step_by(4).rev())
     }
 }
 
@@ -67,11 +67,13 @@ fn of_answer<'a>() -> Fields<LyapunovResult<'a>> {
         Of::number("interval_s", "s", "time between two measurements of the deviation", |result| {
             result.schedule.interval
         }),
-        Of::number("exponent_per_s", "1/s", "largest Lyapunov exponent", |result| result.found.exponent)
+        Of::number("exponent_per_s", "1/s", "largest Lyapunov exponent", |result| result.exponent.exponent)
             .line_of("largest Lyapunov exponent", |result| {
-                let exponent = number::rounded(result.found.exponent, 5);
-                match result.found.uncertainty {
-                    known if known.is_finite() => format!("{exponent} ± {} 1/s", number::rounded(known, 2)),
+                let exponent = number::rounded(result.exponent.exponent, 5);
+                match result.exponent.uncertainty {
+                    uncertainty if uncertainty.is_finite() => {
+                        format!("{exponent} ± {} 1/s", number::rounded(uncertainty, 2))
+                    }
                     _ => format!("{exponent} 1/s  (uncertainty not known: too few intervals)"),
                 }
             }),
@@ -79,13 +81,13 @@ fn of_answer<'a>() -> Fields<LyapunovResult<'a>> {
             "exponent_uncertainty_per_s",
             "1/s",
             "largest of the standard error of the exponent from ten blocks of the time, the change in the second half, and the exponent itself if a power of the time explains the growth",
-            |result| result.found.uncertainty,
+            |result| result.exponent.uncertainty,
         ),
         Of::value("verdict", "", "regular, chaotic or undecided", |result| {
-            result.found.verdict.to_string().into()
+            result.exponent.verdict.to_string().into()
         }),
         Of::value("reason", "", "evidence for the verdict, or the evidence that is missing", |result| {
-            result.found.verdict.reason().into()
+            result.exponent.verdict.reason().into()
         }),
     ])
 }

@@ -17,20 +17,20 @@ struct MelnikovHarmonic {
 
 /// A resonance with the next one of its kind.
 pub(super) struct Neighbours<'a> {
-    pub(super) own: &'a DriveResonance,
+    pub(super) resonance: &'a DriveResonance,
     next: Option<&'a DriveResonance>,
 }
 
 impl MelnikovResult {
     pub(super) fn neighbours(&self) -> impl Iterator<Item = Neighbours<'_>> {
-        let own = self.resonances.iter().enumerate();
-        own.map(|(place, own)| Neighbours { own, next: self.resonances.get(place + 1) })
+        let numbered = self.resonances.iter().enumerate();
+        numbered.map(|(index, resonance)| Neighbours { resonance, next: self.resonances.get(index + 1) })
     }
 }
 
 impl Neighbours<'_> {
     pub(super) fn overlap(&self) -> Option<f64> {
-        self.next.and_then(|next| self.own.overlap(next))
+        self.next.and_then(|next| self.resonance.overlap(next))
     }
 }
 
@@ -221,87 +221,87 @@ pub(super) fn of_resonance<'a>() -> Fields<Neighbours<'a>> {
     type Of<'a> = Field<Neighbours<'a>>;
     Fields::from([
         Of::value("motion_periods", "1", "p: periods or turns of the motion", |neighbours| {
-            neighbours.own.motion_periods.into()
+            neighbours.resonance.motion_periods.into()
         }),
         Of::value("drive_periods", "1", "q: number of periods of the drive", |neighbours| {
-            neighbours.own.drive_periods.into()
+            neighbours.resonance.drive_periods.into()
         })
         .words("p:q", |neighbours| {
-            format!("{}:{}", neighbours.own.motion_periods, neighbours.own.drive_periods)
+            format!("{}:{}", neighbours.resonance.motion_periods, neighbours.resonance.drive_periods)
         }),
         Of::value("regime", "", "libration or rotation", |neighbours| {
-            neighbours.own.motion.regime().to_string().into()
+            neighbours.resonance.motion.regime().to_string().into()
         })
-        .words("motion", |neighbours| match neighbours.own.direction {
+        .words("motion", |neighbours| match neighbours.resonance.direction {
             back if back < 0.0 => "rotation back".to_owned(),
-            _ => neighbours.own.motion.regime().to_string(),
+            _ => neighbours.resonance.motion.regime().to_string(),
         }),
         Of::number("direction", "", "1 or -1 for rotation, 0 for libration", |neighbours| {
-            neighbours.own.direction
+            neighbours.resonance.direction
         }),
         Of::number(
             "angular_frequency_rad_per_s",
             "rad/s",
             "frequency of the unperturbed motion",
-            |neighbours| neighbours.own.motion.frequency(),
+            |neighbours| neighbours.resonance.motion.frequency(),
         )
         .rounded("frequency / (rad/s)", 8),
         Of::nullable("amplitude_rad", "rad", "its amplitude, null for rotation", |neighbours| {
-            neighbours.own.motion.amplitude().map(|amplitude| amplitude.radians())
+            neighbours.resonance.motion.amplitude().map(|amplitude| amplitude.radians())
         })
         .degrees("amplitude / °", 7),
         Of::number("energy_ratio", "1", "its energy over that of the separatrix", |neighbours| {
-            neighbours.own.motion.energy_ratio()
+            neighbours.resonance.motion.energy_ratio()
         }),
         Of::number("action_rad2_per_s", "rad²/s", "its action per m*l^2", |neighbours| {
-            neighbours.own.motion.action()
+            neighbours.resonance.motion.action()
         })
         .rounded("action / (rad²/s)", 8),
         Of::number(
             "angular_frequency_slope",
             "1",
             "derivative of the frequency by the action",
-            |neighbours| neighbours.own.motion.frequency_slope(),
+            |neighbours| neighbours.resonance.motion.frequency_slope(),
         ),
         Of::number(
             "mean_power_rad2_per_s3",
             "rad²/s³",
             "energy per m*l^2 and time from the perturbation at any phase",
-            |neighbours| neighbours.own.mean_power,
+            |neighbours| neighbours.resonance.mean_power,
         ),
         Of::number(
             "resonant_power_rad2_per_s3",
             "rad²/s³",
             "addition to it at the best phase",
-            |neighbours| neighbours.own.resonant_power,
+            |neighbours| neighbours.resonance.resonant_power,
         ),
         Of::number("error_rad2_per_s3", "rad²/s³", "bound on the error of both powers", |neighbours| {
-            neighbours.own.error
+            neighbours.resonance.error
         }),
         Of::number(
             "half_width_rad2_per_s",
             "rad²/s",
             "half the width in the action, without damping",
-            |neighbours| neighbours.own.half_width,
+            |neighbours| neighbours.resonance.half_width,
         )
         .rounded("half-width / (rad²/s)", 6),
         Of::number(
             "half_width_error_rad2_per_s",
             "rad²/s",
             "bound on the error of half_width as a first-order half-width",
-            |neighbours| neighbours.own.half_width_error(),
+            |neighbours| neighbours.resonance.half_width_error(),
         ),
         Of::number(
             "angular_frequency_half_width_rad_per_s",
             "rad/s",
             "half the width in the frequency",
-            |neighbours| neighbours.own.half_width_in_frequency(),
+            |neighbours| neighbours.resonance.half_width_in_frequency(),
         ),
         Of::number(
             "threshold_factor",
             "1",
             "factor of the drive above which it sustains the motion against the damping",
-            |neighbours| neighbours.own.threshold_factor(),
+            |neighbours| neighbours.resonance.threshold_factor(),
         ),
         Of::nullable(
             "overlap",

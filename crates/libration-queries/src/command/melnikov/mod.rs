@@ -78,7 +78,7 @@ struct MelnikovResult {
 impl MelnikovQuestion {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         interrupt::listen()?;
-        let answer = self.found()?;
+        let answer = self.analysis()?;
         let drawn = match &self.figure {
             Some(path) => {
                 vec![figure::file::write(path, &figure::melnikov::melnikov(&answer.shown()), &self.layout)?]
@@ -89,7 +89,7 @@ impl MelnikovQuestion {
         Ok(announce(out, self.form.form(), &drawn)?)
     }
 
-    fn found(&self) -> Result<MelnikovResult, QueryError> {
+    fn analysis(&self) -> Result<MelnikovResult, QueryError> {
         let open = self.over.as_ref().map(|over| over.name.as_str());
         let model = self.system.model_with_open(open.as_slice(), &option("over"))?;
         let thresholds = match &self.over {

@@ -66,9 +66,9 @@ impl MelnikovResult {
     }
 
     fn overlaps(&self) -> String {
-        let known = || self.neighbours().filter_map(|neighbour| neighbour.overlap());
-        let most = known().fold(0.0, f64::max);
-        match known().count() {
+        let overlaps = || self.neighbours().filter_map(|neighbour| neighbour.overlap());
+        let most = overlaps().fold(0.0, f64::max);
+        match overlaps().count() {
             0 => "No two resonances of one kind are adjacent.".to_owned(),
             _ if most < OVERLAP => format!(
                 "Neighbouring resonances do not overlap: the sum of half-widths is {} of their distance at most.",
@@ -125,5 +125,5 @@ fn told(melnikov: &Melnikov, at_threshold: bool) -> String {
 /// A value to at most this many digits, without those beyond its error and without zeros at the end.
 fn known_digits(value: f64, error: f64, most: usize) -> String {
     let digits = to_its_error(value, error, most);
-    digits.parse().map_or(digits, |known| short(known, most))
+    digits.parse().map_or(digits, |rounded| short(rounded, most))
 }

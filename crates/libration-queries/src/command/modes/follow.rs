@@ -37,7 +37,7 @@ pub(super) struct FollowedMode {
     pub(super) model: Model,
     pub(super) mode: usize,
     pub(super) coordinate: usize,
-    pub(super) found: NonlinearMode,
+    pub(super) branch: NonlinearMode,
 }
 
 impl FollowOptions {
@@ -74,12 +74,12 @@ impl FollowedMode {
         let fields = of_point();
         match form {
             Form::Json => {
-                let points = self.found.points.iter().map(|point| fields.record(point));
+                let points = self.branch.points.iter().map(|point| fields.record(point));
                 json::document_with_list(out, of_family().record(self), "points", points)
             }
             Form::Csv => {
                 csv::line(out, &fields.csv_names())?;
-                self.found.points.iter().try_for_each(|point| csv::line(out, &fields.csv_cells(point)))
+                self.branch.points.iter().try_for_each(|point| csv::line(out, &fields.csv_cells(point)))
             }
             Form::Table => self.write_sheet(out),
         }
@@ -92,7 +92,7 @@ impl FollowedMode {
         writeln!(out)?;
         let fields = of_point();
         let mut table = Table::new(fields.columns());
-        self.found.points.iter().try_for_each(|point| table.row(out, fields.cells(point)))?;
+        self.branch.points.iter().try_for_each(|point| table.row(out, fields.cells(point)))?;
         table.finish(out)?;
         writeln!(out)?;
         write_text(out, "", &self.words())
@@ -101,17 +101,21 @@ impl FollowedMode {
     fn words(&self) -> String {
         let change = |change: &StabilityChange| {
             let [from, to] = change.between.map(|amplitude| self.amplitude_text(amplitude));
-            let place = if from == to { format!("at {from}") } else { format!("between {from} and {to}") };
-            format!("It becomes {} {place}.", if change.stable_above { "stable" } else { "unstable" })
+            let amplitude_text =
+                if from == to { format!("at {from}") } else { format!("between {from} and {to}") };
+            format!(
+                "It becomes {} {amplitude_text}.",
+                if change.stable_above { "stable" } else { "unstable" }
+            )
         };
-        let mut sentences: Vec<String> = self.found.changes.iter().map(change).collect();
-        if let Some(reach) = self.found.series_reach(0.01) {
+        let mut sentences: Vec<String> = self.branch.changes.iter().map(change).collect();
+        if let Some(reach) = self.branch.series_reach(0.01) {
             sentences.push(format!(
                 "The series ω + κa² is within 1 % of the frequency up to {}.",
                 self.amplitude_text(reach)
             ));
         }
-        sentences.extend(self.found.lost.as_ref().map(|lost| self.ending(lost)));
+        sentences.extend(self.branch.lost.as_ref().map(|lost| self.ending(lost)));
         if sentences.is_empty() { "Its stability does not change.".to_owned() } else { sentences.join(" ") }
     }
 }
@@ -145,15 +149,15 @@ fn of_family() -> Fields<FollowedMode> {
         })
         .line_of("amplitude of", |mode| mode.model.coordinates()[mode.coordinate].name.clone()),
         Of::value("state[]", "", "names of the state variables", |mode| json::list(mode.model.state_names())),
-        Of::nested("stability_changes[].", &of_change(), |mode| of_change().records(&mode.found.changes)),
+        Of::nested("stability_changes[].", &of_change(), |mode| of_change().records(&mode.branch.changes)),
         Of::nullable(
             "series_reach",
             "",
             "amplitude up to which ω + κa² is within 1 % of the frequency, or null",
-            |mode| mode.found.series_reach(0.01),
+            |mode| mode.branch.series_reach(0.01),
         ),
         Of::value("lost", "", "reason why it does not reach the last amplitude, or null", |mode| {
-            mode.found.lost.as_ref().map(ToString::to_string).into()
+            mode.branch.lost.as_ref().map(ToString::to_string).into()
         }),
     ])
 }
@@ -211,14 +215,14 @@ fn of_point() -> Fields<ModePoint> {
             json::numbers(&point.start)
         })
         .words("start", |point| {
-            let (places, velocities) = point.start.split_at(point.start.len() / 2);
+            let (displacements, velocities) = point.start.split_at(point.start.len() / 2);
             /// Velocities below this fraction of the largest one of the coordinate are rounding errors.
             const STILL: f64 = 1e-9;
             let still = STILL * point.amplitude * point.orbit.frequency();
             let shown = if velocities.iter().any(|velocity| velocity.abs() > still) {
                 &point.start[..]
             } else {
-                places
+                displacements
             };
             shown.iter().map(|x| short(*x, 10)).collect::<Vec<_>>().join(", ")
         }),

@@ -96,23 +96,23 @@ impl Modes {
     ) -> Result<(), QueryError> {
         let coordinate = self.follow.coordinate(&model)?;
         let amplitudes = self.follow.amplitudes(&model.coordinates()[coordinate])?;
-        let found = parallel::unless_cancelled("the orbits of the mode", |progress| {
+        let mode_family = parallel::unless_cancelled("the orbits of the mode", |progress| {
             NonlinearMode::follow(model.equation(), modes, mode, coordinate, &amplitudes, progress)
         });
         let early = || QueryError::cancelled("interrupted before the orbits were known: nothing is written");
-        let found = found.ok_or_else(early)?.map_err(|error| match error {
+        let branch = mode_family.ok_or_else(early)?.map_err(|error| match error {
             NonlinearModeError::NoMode { .. } => QueryError::usage(option("follow"), error),
             NonlinearModeError::AtRest(_) => QueryError::usage(option("coordinate"), error),
             _ => QueryError::no_result(option("follow"), error),
         })?;
-        let followed = FollowedMode { model, mode, coordinate, found };
+        let followed = FollowedMode { model, mode, coordinate, branch };
         let drawn = match &self.figure {
             Some(path) => {
                 let picture = figure::nonlinear_modes::backbone(
                     &followed.model,
                     followed.mode,
                     followed.coordinate,
-                    &followed.found,
+                    &followed.branch,
                 );
                 vec![figure::file::write(path, &picture, &self.layout)?]
             }

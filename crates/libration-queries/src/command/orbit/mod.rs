@@ -79,13 +79,14 @@ impl OrbitQuestion {
         let model = self.system.model()?;
         let search = self.search(&model)?;
         interrupt::listen()?;
-        let found = parallel::unless_cancelled_counted("the orbit", "steps of integration", |progress| {
+        let outcome = parallel::unless_cancelled_counted("the orbit", "steps of integration", |progress| {
             let (kind, orbit) = Orbit::search(model.equation(), &search, progress)?;
-            let harmonics = (0..model.coordinates().len()).map(|place| orbit.harmonics(place)).collect();
+            let harmonics =
+                (0..model.coordinates().len()).map(|coordinate| orbit.harmonics(coordinate)).collect();
             Ok((kind, orbit, harmonics))
         });
         let early = || QueryError::cancelled("interrupted before the orbit was known: nothing is written");
-        let (kind, orbit, harmonics) = found.ok_or_else(early)?.map_err(|error| failure(error, &model))?;
+        let (kind, orbit, harmonics) = outcome.ok_or_else(early)?.map_err(|error| failure(error, &model))?;
         note_shorter_period(&model, &orbit);
         let answer = OrbitResult { model, kind, orbit, harmonics };
         let drawn = match &self.figure {

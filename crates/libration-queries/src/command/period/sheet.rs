@@ -25,7 +25,7 @@ pub(super) fn write(out: &mut dyn Write, question: &Period, swing: &Swing) -> io
 /// The lines of a swing; those of the pendulum come after those of the amplitude.
 fn lines(question: &Period, swing: &Swing) -> Vec<(&'static str, String)> {
     let mut lines = fields::of_swing(question.amplitudes.are_of_periods()).lines(swing);
-    let place = 2 + usize::from(swing.uncertainty.is_some());
-    lines.splice(place..place, question.pendulum.lines());
+    let index = 2 + usize::from(swing.uncertainty.is_some());
+    lines.splice(index..index, question.pendulum.lines());
     lines
 }

@@ -90,10 +90,10 @@ impl SwingsTable<'_> {
         let Self { amplitudes, pendulum, .. } = *self;
         let all = amplitudes.len();
         let texts = |piece: usize| {
-            let places = piece * PIECE..all.min((piece + 1) * PIECE);
-            let found: Vec<(Amplitude, Option<f64>)> =
-                places.filter_map(|place| amplitudes.get(place)).collect();
-            let swings = Swing::all(&found, pendulum);
+            let indices = piece * PIECE..all.min((piece + 1) * PIECE);
+            let amplitudes_of_piece: Vec<(Amplitude, Option<f64>)> =
+                indices.filter_map(|index| amplitudes.get(index)).collect();
+            let swings = Swing::all(&amplitudes_of_piece, pendulum);
             let estimates = estimates(&swings, formulas);
             swings.iter().zip(estimates).fold(vec![], |mut text, (swing, estimates)| {
                 text.extend_from_slice(if text.is_empty() { b"" } else { between });

@@ -205,9 +205,9 @@ fn monomial(powers: &[u8], conjugates: &[u8]) -> String {
         1 => Some(format!("a{}{bar}", mode + 1)),
         _ => Some(format!("a{}{bar}^{power}", mode + 1)),
     };
-    let own = powers.iter().enumerate().map(|(mode, power)| (mode, *power, ""));
+    let plain = powers.iter().enumerate().map(|(mode, power)| (mode, *power, ""));
     let bars = conjugates.iter().enumerate().map(|(mode, power)| (mode, *power, "~"));
-    own.chain(bars).filter_map(factor).collect::<Vec<_>>().join("*")
+    plain.chain(bars).filter_map(factor).collect::<Vec<_>>().join("*")
 }
 
 pub(super) fn told(divisor: &Divisor) -> String {

@@ -44,21 +44,21 @@ impl<'a> NumberedBranch<'a> {
     pub(super) fn special(&'a self) -> impl Iterator<Item = PointOfBranch<'a>> {
         let precise = self.answer.precise.get(self.number - 1);
         let special = self.branch.special.iter().enumerate();
-        special.map(move |(place, special)| PointOfBranch {
+        special.map(move |(index, special)| PointOfBranch {
             of: self,
             point: &special.point,
             special: Some(special),
-            precise: precise.and_then(|all| all.get(place)?.as_ref()),
+            precise: precise.and_then(|all| all.get(index)?.as_ref()),
         })
     }
 
     /// Points and special points in their order.
     pub(super) fn places(&'a self) -> Vec<PointOfBranch<'a>> {
-        let mut places: Vec<(usize, PointOfBranch<'a>)> =
+        let mut points: Vec<(usize, PointOfBranch<'a>)> =
             self.points().enumerate().map(|(k, it)| (2 * k + 1, it)).collect();
-        places.extend(self.branch.special.iter().map(|it| 2 * it.before).zip(self.special()));
-        places.sort_by_key(|(order, _)| *order);
-        places.into_iter().map(|(_, place)| place).collect()
+        points.extend(self.branch.special.iter().map(|it| 2 * it.before).zip(self.special()));
+        points.sort_by_key(|(order, _)| *order);
+        points.into_iter().map(|(_, point)| point).collect()
     }
 }
 
@@ -135,10 +135,10 @@ pub(super) fn of_branch<'a>() -> Fields<NumberedBranch<'a>> {
             |branch| json::list(branch.branch.unresolved.iter().map(|range| json::numbers(range))),
         ),
         Of::nested("points[].", &of_place(), |branch| {
-            json::records(branch.points().map(|place| of_place().record(&place)))
+            json::records(branch.points().map(|point| of_place().record(&point)))
         }),
         Of::nested("special[].", &of_special(), |branch| {
-            json::records(branch.special().map(|place| of_special().record(&place)))
+            json::records(branch.special().map(|point| of_special().record(&point)))
         }),
     ])
 }

@@ -37,16 +37,16 @@ impl ResponseResult {
 }
 
 impl ResponseRow<'_> {
-    fn place(&self) -> Option<&PointOfBranch<'_>> {
+    fn point(&self) -> Option<&PointOfBranch<'_>> {
         match self {
-            Self::PointOfBranch(place) => Some(place),
+            Self::PointOfBranch(point) => Some(point),
             Self::Swept(_) => None,
         }
     }
 
     fn amplitude(&self) -> f64 {
         match self {
-            Self::PointOfBranch(place) => place.amplitude(),
+            Self::PointOfBranch(point) => point.amplitude(),
             Self::Swept(swept) => swept.amplitude(),
         }
     }
@@ -163,13 +163,13 @@ pub(super) fn of_row<'a>() -> Fields<ResponseRow<'a>> {
     type Of<'a> = Field<ResponseRow<'a>>;
     Fields::from([
         Of::value("branch", "1", "number of the branch, from 1; empty for rows of sweeps", |row| {
-            row.place().map(|it| it.of.number).into()
+            row.point().map(|it| it.of.number).into()
         }),
         Of::value("special", "", "kind of special point, empty for other points", |row| {
-            row.place().and_then(|it| it.special).map_or("", |special| special.kind.key()).into()
+            row.point().and_then(|it| it.special).map_or("", |special| special.kind.key()).into()
         }),
         Of::number("parameter", "", "value of the parameter", |row| match row {
-            ResponseRow::PointOfBranch(place) => place.point.parameter,
+            ResponseRow::PointOfBranch(point) => point.point.parameter,
             ResponseRow::Swept(swept) => swept.point.parameter,
         }),
         Of::number(
@@ -179,20 +179,20 @@ pub(super) fn of_row<'a>() -> Fields<ResponseRow<'a>> {
             ResponseRow::amplitude,
         ),
         Of::value("period_s", "s", "period of the solution; empty for rows of sweeps", |row| {
-            row.place().map_or(Value::Null, |it| json::number(it.point.period))
+            row.point().map_or(Value::Null, |it| json::number(it.point.period))
         }),
         Of::value(
             "stability",
             "",
             "attracting, neutral, unstable or undetermined (within the errors of the multipliers); empty for rows of sweeps",
-            |row| row.place().map(|it| it.point.stability.name()).into(),
+            |row| row.point().map(|it| it.point.stability.name()).into(),
         ),
         Of::value(
             "error",
             "",
             "error of the state, of special points that of the parameter; empty for rows of sweeps",
             |row| {
-                row.place().map_or(Value::Null, |it| {
+                row.point().map_or(Value::Null, |it| {
                     json::number(it.special.map_or(it.point.error, |special| special.error))
                 })
             },

@@ -33,8 +33,8 @@ impl ResponseResult {
         csv::line(out, &of_row().csv_names())?;
         for branch in self.numbered() {
             let fields = of_row();
-            for place in branch.places() {
-                csv::line(out, &fields.csv_cells(&ResponseRow::PointOfBranch(place)))?;
+            for point in branch.places() {
+                csv::line(out, &fields.csv_cells(&ResponseRow::PointOfBranch(point)))?;
             }
         }
         let fields = of_row();
@@ -64,8 +64,8 @@ impl ResponseResult {
             let mut table = Table::new(of_special().columns());
             for branch in self.numbered() {
                 let fields = of_special();
-                for place in branch.special() {
-                    table.row(out, fields.cells(&place))?;
+                for point in branch.special() {
+                    table.row(out, fields.cells(&point))?;
                 }
             }
             table.finish(out)?;
@@ -74,7 +74,7 @@ impl ResponseResult {
             writeln!(out)?;
         }
         for branch in self.numbered() {
-            for text in branch.special().filter_map(|place| place.digits_text()) {
+            for text in branch.special().filter_map(|point| point.digits_text()) {
                 write_text(out, "", &text)?;
             }
         }
@@ -208,10 +208,10 @@ fn summary(branch: &NumberedBranch<'_>) -> String {
             let high = ranges.iter().map(|range| range[1]).fold(f64::NEG_INFINITY, f64::max);
             let width: f64 = ranges.iter().map(|[low, high]| high - low).sum();
             let (from, to) = (answer.value_text(low), answer.value_text(high));
-            let place = if from == to { format!("near {from}") } else { format!("between {from} and {to}") };
+            let range = if from == to { format!("near {from}") } else { format!("between {from} and {to}") };
             let (name, width) = (&answer.parameter, at_most(width));
             format!(
-                "; further special points cannot be excluded {place}, on a total width of {width} in {name}"
+                "; further special points cannot be excluded {range}, on a total width of {width} in {name}"
             )
         }
     };

@@ -64,7 +64,7 @@ pub(crate) struct PoincareQuestion {
 pub(crate) struct SectionResult<'a> {
     pub(crate) model: &'a Model,
     pub(crate) options: &'a SectionOptions,
-    pub(crate) place: String,
+    pub(crate) section: String,
     pub(crate) points: Points,
     pub(crate) angles: Vec<bool>,
     pub(crate) starts: Vec<Vec<f64>>,
@@ -76,12 +76,12 @@ impl PoincareQuestion {
         let model = self.system.model()?;
         let starts: Vec<Vec<f64>> =
             self.initial.read(&model)?.into_iter().map(|initial| initial.state).collect();
-        let (place, points) = (self.section.known_section(&model)?, self.section.points_of_section(POINTS));
-        let sections = self.sections(&model, &place, &starts)?;
+        let (section, points) = (self.section.known_section(&model)?, self.section.points_of_section(POINTS));
+        let sections = self.sections(&model, &section, &starts)?;
         let answer = SectionResult {
             model: &model,
             options: &self.section,
-            place: self.section.description(&place, model.equation()),
+            section: self.section.description(&section, model.equation()),
             points,
             angles: angles(model.equation()),
             starts,
@@ -89,7 +89,7 @@ impl PoincareQuestion {
         };
         let drawn = match &self.figure {
             Some(path) => {
-                let axes = self.axes(&model)?.map(|place| StateAxis::new(&model, place));
+                let axes = self.axes(&model)?.map(|component| StateAxis::new(&model, component));
                 let picture = figure::section::section(&model, &answer.starts, &answer.sections, &axes);
                 vec![figure::file::write(path, &picture, &self.layout)?]
             }
@@ -105,7 +105,7 @@ impl PoincareQuestion {
     fn axes(&self, model: &Model) -> Result<[usize; 2], QueryError> {
         let coordinates = model.coordinates();
         let on_surface = |name: &str| self.section.is_at(name);
-        let mut off = (0..coordinates.len()).filter(|&place| !on_surface(&coordinates[place].name));
+        let mut off = (0..coordinates.len()).filter(|&coordinate| !on_surface(&coordinates[coordinate].name));
         let first = off.next().unwrap_or(0);
         let Some(names) = &self.axes else {
             let second = model.layout().velocity(first).or_else(|| off.next());
@@ -118,7 +118,7 @@ impl PoincareQuestion {
     fn sections(
         &self,
         model: &Model,
-        place: &Section,
+        section: &Section,
         starts: &[Vec<f64>],
     ) -> Result<Vec<PoincareSection>, QueryError> {
         let points = self.section.points_of_section(POINTS);
@@ -132,7 +132,7 @@ impl PoincareQuestion {
                 taken.fetch_add(status.done - before.replace(status.done), Ordering::Relaxed);
                 parallel::update(&how_far)
             };
-            compute_section(model.equation(), &start, place, points, &effort, &progress)
+            compute_section(model.equation(), &start, section, points, &effort, &progress)
         };
         interrupt::listen()?;
         let sections = parallel::with_progress(how_far, || parallel::map(starts, of_start));

@@ -67,7 +67,7 @@ impl SectionResult<'_> {
 
     fn points_text(&self) -> String {
         let count: usize = self.sections.iter().map(|section| section.points.len()).sum();
-        format!("{count}, {}, after discarding {} as transient", self.place, self.points.skipped)
+        format!("{count}, {}, after discarding {} as transient", self.section, self.points.skipped)
     }
 }
 
@@ -90,7 +90,7 @@ fn of_answer<'a>() -> Fields<SectionResult<'a>> {
         })
         .line_of("equation", |result| result.model.equation().to_string()),
         Of::value("section", "", "condition at which points are recorded, in words", |result| {
-            result.place.as_str().into()
+            result.section.as_str().into()
         })
         .line_of("points", SectionResult::points_text),
         Of::value("skipped", "1", "number of points discarded as transient, for each motion", |result| {

@@ -82,14 +82,16 @@ impl SimulatedMotion<'_> {
         mut watch: impl FnMut(&AcceptedStep<'_>) -> ControlFlow<()>,
     ) -> (Result<Solution, IntegrationError>, [f64; 2]) {
         let start = self.beginning();
-        let mut balance = energy.map(|energy| energy.balance(&self.own(&start)));
+        let mut balance = energy.map(|energy| energy.balance(&self.motion_state(&start)));
         let follow = |accepted: &AcceptedStep<'_>| {
             let step = accepted.step();
             if let Some(balance) = &mut balance {
                 if step.start().total_cmp(&start.time).is_eq() {
                     balance.return_to_start();
                 }
-                balance.record(&self.own(&Moment { time: step.end(), state: step.state_at(step.end()) }));
+                balance.record(
+                    &self.motion_state(&Moment { time: step.end(), state: step.state_at(step.end()) }),
+                );
             }
             watch(accepted)
         };

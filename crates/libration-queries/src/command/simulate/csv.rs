@@ -34,13 +34,13 @@ impl Csv {
         let mut cells = self.of_time.csv_cells(&time);
         cells.extend(numbers.concat().into_iter().map(csv::number));
         // What is not determined has no error.
-        let known = |error: &f64| csv::number(*error);
+        let error_text = |error: &f64| csv::number(*error);
         if self.with_errors && self.with_events {
             let of_event = errors.filter(|_| !kind.is_empty());
-            cells.push(of_event.map_or(String::new(), |errors| known(&errors.time)));
+            cells.push(of_event.map_or(String::new(), |errors| error_text(&errors.time)));
         }
         let errors = errors.into_iter().flat_map(|errors| errors.state.iter().chain(&errors.formulas));
-        cells.extend(errors.map(known));
+        cells.extend(errors.map(error_text));
         cells.extend(self.with_events.then(|| kind.to_owned()));
         csv::line(out, &cells)
     }

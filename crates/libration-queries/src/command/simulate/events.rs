@@ -169,10 +169,10 @@ fn turning(coordinate: &Coordinate) -> Expression {
 
 /// The crossing of the equilibrium; for angles in every turn.
 fn crossing(coordinate: &Coordinate) -> Expression {
-    let place = Box::new(Expression::symbol(&coordinate.name));
+    let position = Box::new(Expression::symbol(&coordinate.name));
     // The shortest decimal of a finite number is a formula.
     let rest = format!("{:?}", coordinate.at_rest).parse().unwrap_or(Expression::from(0));
-    let distance = Expression::Subtract(place, Box::new(rest));
+    let distance = Expression::Subtract(position, Box::new(rest));
     if !coordinate.is_angle() {
         return distance;
     }

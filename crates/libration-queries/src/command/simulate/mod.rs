@@ -178,7 +178,8 @@ impl Simulate {
         let form = self.form.form_of_file(self.output.as_deref());
         let axes =
             self.axes.as_deref().map(|names| arguments::places_in_state(&model, &option("axes"), names));
-        let axes = axes.transpose()?.map(|places| places.map(|place| StateAxis::new(&model, place)));
+        let axes =
+            axes.transpose()?.map(|components| components.map(|component| StateAxis::new(&model, component)));
         let figure = self.figure.as_deref().map(|path| run::MotionPicture {
             path,
             layout: &self.layout,
@@ -238,7 +239,7 @@ impl Simulate {
             state: model.state_names(),
             initial,
             tolerance: self.tolerance.usual,
-            own_tolerances: self.tolerance.own.clone(),
+            own_tolerances: self.tolerance.separate.clone(),
             events: watched.names(),
             errors: self.reason_for_no_errors().is_none(),
             columns: self
@@ -259,14 +260,14 @@ fn write_file(
     path: &Path,
 ) -> Result<(Ending, Vec<String>), QueryError> {
     let mut file = NewFile::create(path)?;
-    let places = file.places().filter(|_| form == Form::Csv);
-    let keeper = places.as_ref().map(|[_, unfinished]| Keeper::new(state_of(unfinished)));
+    let paths = file.places().filter(|_| form == Form::Csv);
+    let keeper = paths.as_ref().map(|[_, unfinished]| Keeper::new(state_of(unfinished)));
     let RunOutcome { ending, state, drawn } = motion.write(form, figure, &mut file, keeper)?;
     // An unfinished file that was gone on from is left to be removed now.
     drop(motion);
     file.finish()?;
-    if let Some([place, _]) = places {
-        state.write(&state_of(&place))?;
+    if let Some([target, _]) = paths {
+        state.write(&state_of(&target))?;
     }
     Ok((ending, drawn))
 }

@@ -31,7 +31,7 @@ impl SimulatedMotion<'_> {
 
     /// The values of the columns that were requested, in a state of the integration.
     pub(super) fn columns_at(&self, moment: &Moment) -> Option<Vec<f64>> {
-        let formulas = self.observables.map(|observables| observables.values_at(&self.own(moment)));
+        let formulas = self.observables.map(|observables| observables.values_at(&self.motion_state(moment)));
         let derivatives = self.sensitivities.map(|sensitivity| sensitivity.derivatives_in(&moment.state));
         match (formulas, derivatives) {
             (None, None) => None,
@@ -57,7 +57,7 @@ impl SimulatedMotion<'_> {
     }
 
     /// The state of the motion alone, in a state of the integration.
-    pub(super) fn own(&self, moment: &Moment) -> Moment {
+    pub(super) fn motion_state(&self, moment: &Moment) -> Moment {
         let state = self.sensitivities.map_or_else(|| moment.state.clone(), |it| it.state_in(&moment.state));
         Moment { time: moment.time, state }
     }

@@ -46,7 +46,7 @@ impl SimulatedMotion<'_> {
         match errors {
             Some(errors) => Precision::Estimated {
                 determined_until: errors.determined_until(),
-                start_effect: self.own(&errors.effect_of_start()),
+                start_effect: self.motion_state(&errors.effect_of_start()),
             },
             None => Precision::NotEstimated(self.no_errors().unwrap_or_default()),
         }
@@ -63,7 +63,7 @@ impl SimulatedMotion<'_> {
         });
         let derivatives =
             self.sensitivities.map(|sensitivity| sensitivity.derivatives_in(&state)).unwrap_or_default();
-        let Moment { state, .. } = self.own(&Moment { time, state });
+        let Moment { state, .. } = self.motion_state(&Moment { time, state });
         MomentErrors { time, state, formulas: [formulas, derivatives].concat() }
     }
 }

@@ -50,11 +50,15 @@ impl SimulatedMotion<'_> {
             if let Some(moment) = sample {
                 let columns = self.columns_at(moment);
                 let errors = errors.map(|errors| self.own_errors(errors.of_sample(moment.time).cloned()));
-                return Some(SimulatedRow::Sample(Sample { moment: self.own(moment), columns, errors }));
+                return Some(SimulatedRow::Sample(Sample {
+                    moment: self.motion_state(moment),
+                    columns,
+                    errors,
+                }));
             }
             let event = events.next()?;
             let moment = Moment { time: event.time, state: event.state.clone() };
-            let (columns, state) = (self.columns_at(&moment), self.own(&moment).state);
+            let (columns, state) = (self.columns_at(&moment), self.motion_state(&moment).state);
             let errors = errors.map(|errors| self.own_errors(errors.of_event(event).cloned()));
             Some(SimulatedRow::Event(Happening { columns, state, errors, ..self.watched.happening(event) }))
         })

@@ -115,7 +115,7 @@ impl SimulatedMotion<'_> {
             _ => ending_error(system, &self.beginning(), last, &self.effort(), &end)
                 .map_err(QueryError::failed)?,
         };
-        let (end, error) = (self.own(&end), self.own(&error));
+        let (end, error) = (self.motion_state(&end), self.motion_state(&error));
         Ok(Ending::Event(EventEnding { name, end, error }))
     }
 
@@ -123,7 +123,7 @@ impl SimulatedMotion<'_> {
     fn balance<'e>(&self, energy: &'e Energy) -> EnergyBalance<'e> {
         let account = self.mark().and_then(|mark| mark.energy.as_ref());
         account.map_or_else(
-            || energy.balance(&self.own(&self.beginning())),
+            || energy.balance(&self.motion_state(&self.beginning())),
             |account| energy.balance_from(account),
         )
     }
@@ -215,13 +215,15 @@ pub(super) fn ended(
             Ok((Ending::Interrupted(solution.end.time), *solution))
         }
         Err(IntegrationError::Stopped { cause, solution }) => {
-            let Moment { time, state } = &motion.own(&solution.end);
-            let place = motion.model.state_names().into_iter().zip(state);
-            let place: Vec<String> =
-                place.map(|(name, value)| format!("{name} = {}", number::short(*value, 6))).collect();
-            let place = place.join(", ");
-            let reason =
-                format!("{cause} at t = {} s, {place}: the motion is known up to there", cause.time(*time));
+            let Moment { time, state } = &motion.motion_state(&solution.end);
+            let pairs = motion.model.state_names().into_iter().zip(state);
+            let components: Vec<String> =
+                pairs.map(|(name, value)| format!("{name} = {}", number::short(*value, 6))).collect();
+            let state_text = components.join(", ");
+            let reason = format!(
+                "{cause} at t = {} s, {state_text}: the motion is known up to there",
+                cause.time(*time)
+            );
             Ok((Ending::Stopped(reason), *solution))
         }
         Err(error) => Err(QueryError::usage(option("initial"), error)),

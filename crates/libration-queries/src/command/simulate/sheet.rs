@@ -156,13 +156,13 @@ pub(super) fn drift(drift: &Result<[f64; 2], String>) -> String {
     match drift {
         Ok([drift, _]) if drift.is_nan() => "none: the energy is not defined throughout".to_owned(),
         Ok([drift, uncertainty]) => {
-            let known = match *uncertainty > f64::EPSILON {
+            let note = match *uncertainty > f64::EPSILON {
                 true => {
                     format!("; the work of the forces is known to {} of it", number::rounded(*uncertainty, 2))
                 }
                 false => String::new(),
             };
-            format!("{} of the largest kinetic energy{known}", number::rounded(*drift, 2))
+            format!("{} of the largest kinetic energy{note}", number::rounded(*drift, 2))
         }
         Err(reason) => format!("none: {reason}"),
     }

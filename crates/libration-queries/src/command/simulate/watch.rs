@@ -98,7 +98,9 @@ impl<'a> Watch<'a> {
             errors.follow(taken);
         }
         if let Some(balance) = &mut self.balance {
-            balance.record(&self.motion.own(&Moment { time: step.end(), state: step.state_at(step.end()) }));
+            balance.record(
+                &self.motion.motion_state(&Moment { time: step.end(), state: step.state_at(step.end()) }),
+            );
         }
         if let Some(trace) = &mut self.trace {
             trace.follow(step, taken.ended_at().unwrap_or(step.end()));
@@ -137,7 +139,8 @@ impl<'a> Watch<'a> {
     fn sample(&mut self, moment: &Moment, errors: Option<MomentErrors>) -> io::Result<()> {
         self.rows[0] += 1;
         let columns = self.motion.columns_at(moment);
-        self.report.sample(&Sample { moment: self.motion.own(moment), columns, errors }, &mut self.out)
+        self.report
+            .sample(&Sample { moment: self.motion.motion_state(moment), columns, errors }, &mut self.out)
     }
 
     fn happening(&mut self, happening: &Happening) -> io::Result<()> {
@@ -146,7 +149,7 @@ impl<'a> Watch<'a> {
             trace.mark(self.motion.watched.coordinate(happening), happening.time, &happening.state);
         }
         let moment = Moment { time: happening.time, state: happening.state.clone() };
-        let (columns, state) = (self.motion.columns_at(&moment), self.motion.own(&moment).state);
+        let (columns, state) = (self.motion.columns_at(&moment), self.motion.motion_state(&moment).state);
         self.report.event(&Happening { columns, state, ..happening.clone() }, &mut self.out)
     }
 

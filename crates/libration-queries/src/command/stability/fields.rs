@@ -123,8 +123,8 @@ pub(super) fn of_answer() -> Fields<StabilityResult> {
             "",
             "values of both parameters between neighbouring points of the grid of which one is stable and the other is not, although no boundary was followed between them",
             |result| {
-                let places = result.chart.rest.iter().flat_map(|rest| &rest.unresolved);
-                json::list(places.map(|place| json::numbers(place)))
+                let points = result.chart.rest.iter().flat_map(|rest| &rest.unresolved);
+                json::list(points.map(|point| json::numbers(point)))
             },
         ),
         Of::nested("rest_stable_at[].", &of_end(), |result| of_end().records(&result.rest_at_ends())),
@@ -174,10 +174,10 @@ pub(super) fn of_curve<'a>() -> Fields<NumberedBoundary<'a>> {
             boundary.curve.space.drive_periods().into()
         }),
         Of::nested("points[].", &of_place(), |boundary| {
-            json::records(boundary.points().map(|place| of_place().record(&place)))
+            json::records(boundary.points().map(|point| of_place().record(&point)))
         }),
         Of::nested("cusps[].", &of_place(), |boundary| {
-            json::records(boundary.cusps().map(|place| of_place().record(&place)))
+            json::records(boundary.cusps().map(|cusp| of_place().record(&cusp)))
         }),
     ])
 }

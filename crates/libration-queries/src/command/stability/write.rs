@@ -29,8 +29,8 @@ impl StabilityResult {
         csv::line(out, &of_row().csv_names())?;
         for curve in self.numbered() {
             let fields = of_row();
-            for place in curve.points().chain(curve.cusps()) {
-                csv::line(out, &fields.csv_cells(&place))?;
+            for point in curve.points().chain(curve.cusps()) {
+                csv::line(out, &fields.csv_cells(&point))?;
             }
         }
         Ok(())
@@ -49,8 +49,8 @@ impl StabilityResult {
             let mut table = Table::new(of_row().columns());
             for curve in self.numbered() {
                 let fields = of_row();
-                for place in curve.ends_and_cusps() {
-                    table.row(out, fields.cells(&place))?;
+                for point in curve.ends_and_cusps() {
+                    table.row(out, fields.cells(&point))?;
                 }
             }
             table.finish(out)?;
@@ -73,8 +73,8 @@ impl StabilityResult {
         let Some(rest) = self.chart.rest.as_ref().filter(|_| !self.chart.interrupted) else { return vec![] };
         let [first, second] = &self.parameters;
         let [columns, rows] = [0, 1].map(|which| rest.values[which].len());
-        let known = || rest.stable.iter().flatten().flatten();
-        let stable = match (known().any(|it| *it), known().any(|it| !*it)) {
+        let stabilities = || rest.stable.iter().flatten().flatten();
+        let stable = match (stabilities().any(|it| *it), stabilities().any(|it| !*it)) {
             (true, false) => "stable at all of them",
             (false, true) => "unstable at all of them",
             (true, true) => "stable at some of them and unstable at others",
@@ -123,14 +123,14 @@ fn summary(curve: &NumberedBoundary<'_>) -> String {
         (false, BoundaryPart::None) => format!("{kind} of unstable driven motions"),
         (false, _) => format!("{kind} of driven motions"),
     };
-    let place = |point: Option<&_>| point.map_or_else(String::new, |point| answer.values_text(point));
+    let text_of = |point: Option<&_>| point.map_or_else(String::new, |point| answer.values_text(point));
     let ends = match behind {
         Ending::Closed => "closed".to_owned(),
         _ => format!(
             "from {}{} to {}{}",
-            place(points.first()),
+            text_of(points.first()),
             said(before),
-            place(points.last()),
+            text_of(points.last()),
             said(behind)
         ),
     };

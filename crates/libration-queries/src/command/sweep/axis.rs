@@ -44,10 +44,10 @@ impl Axis {
     }
 
     /// A value as it is printed in results: in the unit of the axis, or as typed.
-    pub(crate) fn shown(&self, place: usize) -> String {
+    pub(crate) fn shown(&self, index: usize) -> String {
         match &self.numbers {
-            Some(numbers) => number::exact(numbers[place]),
-            None => self.values[place].clone(),
+            Some(numbers) => number::exact(numbers[index]),
+            None => self.values[index].clone(),
         }
     }
 }
@@ -85,7 +85,7 @@ fn number_and_unit(text: &str) -> (&str, &str) {
         return (text, "");
     }
     let begins_unit = |(_, letter): &(usize, char)| letter.is_alphabetic() || *letter == '°';
-    let mut ends = text.char_indices().filter(begins_unit).map(|(place, _)| place);
+    let mut ends = text.char_indices().filter(begins_unit).map(|(start, _)| start);
     let end = ends.rfind(|&end| is_decimal(text[..end].trim_end()));
     end.map_or((text, ""), |end| (text[..end].trim_end(), &text[end..]))
 }

@@ -37,9 +37,9 @@ pub(crate) fn csv(plan: &Plan, chunk: usize, outcomes: &[PointOutcome]) -> io::R
     let mut text = header(plan)?;
     let columns = plan.columns().len();
     for (point, outcome) in plan.grid.points_of(chunk).zip(outcomes) {
-        let place = plan.grid.place(point);
+        let indices = plan.grid.indices_of(point);
         let mut cells: Vec<String> =
-            plan.axes.iter().zip(place).map(|(axis, place)| axis.shown(place)).collect();
+            plan.axes.iter().zip(indices).map(|(axis, index)| axis.shown(index)).collect();
         match outcome {
             Ok(numbers) => {
                 cells.extend(numbers.iter().map(|it| csv::number(*it)));

@@ -20,9 +20,9 @@ impl Grid {
         let points = shape.iter().try_fold(1_usize, |all, &length| all.checked_mul(length))?;
         let mut room = most.unwrap_or(points.div_ceil(Self::CHUNKS)).max(1);
         let mut block = vec![1; shape.len()];
-        for (length, own) in shape.iter().zip(&mut block).rev() {
+        for (length, side) in shape.iter().zip(&mut block).rev() {
             let pieces = length.div_ceil(room.min(*length));
-            *own = length.div_ceil(pieces);
+            *side = length.div_ceil(pieces);
             if pieces > 1 {
                 break;
             }
@@ -43,24 +43,24 @@ impl Grid {
 
     /// Number of chunks along each axis.
     fn pieces(&self) -> impl Iterator<Item = usize> + '_ {
-        self.shape.iter().zip(&self.block).map(|(length, own)| length.div_ceil(*own))
+        self.shape.iter().zip(&self.block).map(|(length, side)| length.div_ceil(*side))
     }
 
     /// The points of a chunk.
     pub fn points_of(&self, chunk: usize) -> Range<usize> {
         let pieces: Vec<usize> = self.pieces().collect();
-        let place = place_in(&pieces, chunk);
+        let indices = place_in(&pieces, chunk);
         let mut range = 0..1;
-        for ((length, own), number) in self.shape.iter().zip(&self.block).zip(place) {
+        for ((length, size), number) in self.shape.iter().zip(&self.block).zip(indices) {
             // Along the axes behind the one that is cut a block has all values, so that it stays a run.
-            let (first, end) = (number * own, ((number + 1) * own).min(*length));
+            let (first, end) = (number * size, ((number + 1) * size).min(*length));
             range = range.start * length + first..(range.end - 1) * length + end;
         }
         range
     }
 
     /// The index of a point on each axis.
-    pub fn place(&self, point: usize) -> Vec<usize> {
+    pub fn indices_of(&self, point: usize) -> Vec<usize> {
         place_in(&self.shape, point)
     }
 
@@ -68,23 +68,23 @@ impl Grid {
     pub fn scattered(&self) -> Vec<usize> {
         const BITS: u32 = 4;
         let points = self.points();
-        let mut found: Vec<usize> = vec![];
+        let mut scattered: Vec<usize> = vec![];
         for number in 0..1_usize << BITS {
             let part = number.reverse_bits() >> (usize::BITS - BITS);
             let point = points / (1 << BITS) * part + points % (1 << BITS) * part / (1 << BITS);
-            if !found.contains(&point) {
-                found.push(point);
+            if !scattered.contains(&point) {
+                scattered.push(point);
             }
         }
-        found
+        scattered
     }
 }
 
 fn place_in(lengths: &[usize], mut number: usize) -> Vec<usize> {
-    let mut place = vec![0; lengths.len()];
-    for (length, own) in lengths.iter().zip(&mut place).rev() {
-        *own = number % length;
+    let mut indices = vec![0; lengths.len()];
+    for (length, index) in lengths.iter().zip(&mut indices).rev() {
+        *index = number % length;
         number /= length;
     }
-    place
+    indices
 }

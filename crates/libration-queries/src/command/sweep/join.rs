@@ -117,7 +117,7 @@ fn each_chunk(
         for store in stores {
             rows = match rows {
                 None => store.rows(chunk)?,
-                found => found,
+                present => present,
             };
         }
         let gone = || QueryError::failed(format!("chunk {chunk} has been removed meanwhile: join again"));
@@ -128,11 +128,11 @@ fn each_chunk(
 
 fn record(plan: &Plan, point: usize, row: &str) -> Record {
     let number = |text: &str| text.parse::<f64>().map_or(serde_json::Value::Null, json::number);
-    let place = plan.grid.place(point);
-    let at = plan.axes.iter().zip(place).map(|(axis, place)| {
+    let indices = plan.grid.indices_of(point);
+    let at = plan.axes.iter().zip(indices).map(|(axis, index)| {
         let value = match &axis.numbers {
-            Some(numbers) => json::number(numbers[place]),
-            None => axis.values[place].as_str().into(),
+            Some(numbers) => json::number(numbers[index]),
+            None => axis.values[index].as_str().into(),
         };
         (axis.name.clone(), value)
     });

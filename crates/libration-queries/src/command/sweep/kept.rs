@@ -57,7 +57,7 @@ impl Kept {
     pub fn columns(&self) -> Vec<String> {
         match self.length() {
             None => vec![self.name.clone()],
-            Some(length) => (0..length).map(|place| format!("{}[{place}]", self.name)).collect(),
+            Some(length) => (0..length).map(|index| format!("{}[{index}]", self.name)).collect(),
         }
     }
 
@@ -74,7 +74,7 @@ impl Kept {
         for step in &self.steps {
             let next = match step {
                 Step::Key(key) => value.get(key),
-                Step::Entry(place) => entry(value, *place),
+                Step::Entry(index) => entry(value, *index),
                 Step::Entries(from, _) => value.get(from),
             };
             match next {
@@ -102,22 +102,22 @@ impl Kept {
 /// The paths to all numbers of a result outside lists, or in lists of one entry. Fields about the schema and the continuation of the result are not
 /// included.
 pub fn scalars(answer: &Value) -> Vec<String> {
-    let mut found = vec![];
-    collect(answer, String::new(), &mut found);
-    found.retain(|way| way != "schema" && !way.starts_with("resume."));
-    found
+    let mut paths = vec![];
+    collect(answer, String::new(), &mut paths);
+    paths.retain(|way| way != "schema" && !way.starts_with("resume."));
+    paths
 }
 
-fn collect(value: &Value, path: String, found: &mut Vec<String>) {
+fn collect(value: &Value, path: String, paths: &mut Vec<String>) {
     match value {
-        Value::Number(_) | Value::Bool(_) | Value::Null => found.push(path),
+        Value::Number(_) | Value::Bool(_) | Value::Null => paths.push(path),
         Value::Object(fields) => {
             for (key, value) in fields {
                 let path = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
-                collect(value, path, found);
+                collect(value, path, paths);
             }
         }
-        Value::Array(entries) if entries.len() == 1 => collect(&entries[0], format!("{path}[0]"), found),
+        Value::Array(entries) if entries.len() == 1 => collect(&entries[0], format!("{path}[0]"), paths),
         Value::Array(_) | Value::String(_) => {}
     }
 }
@@ -131,17 +131,17 @@ fn follow(value: Option<&Value>, steps: &[Step], numbers: &mut Vec<f64>) {
     };
     match step {
         Step::Key(key) => follow(value.and_then(|value| value.get(key)), rest, numbers),
-        Step::Entry(place) => follow(value.and_then(|value| entry(value, *place)), rest, numbers),
+        Step::Entry(index) => follow(value.and_then(|value| entry(value, *index)), rest, numbers),
         Step::Entries(from, to) => {
-            (*from..*to).for_each(|place| follow(value.and_then(|value| value.get(place)), rest, numbers));
+            (*from..*to).for_each(|index| follow(value.and_then(|value| value.get(index)), rest, numbers));
         }
     }
 }
 
-fn entry(list: &Value, place: i64) -> Option<&Value> {
+fn entry(list: &Value, number: i64) -> Option<&Value> {
     let list = list.as_array()?;
-    let place = if place < 0 { i64::try_from(list.len()).ok()? + place } else { place };
-    list.get(usize::try_from(place).ok()?)
+    let index = if number < 0 { i64::try_from(list.len()).ok()? + number } else { number };
+    list.get(usize::try_from(index).ok()?)
 }
 
 fn last_key(path: &str) -> String {
@@ -153,7 +153,7 @@ fn last_key(path: &str) -> String {
 fn steps(path: &str) -> Result<Vec<Step>, String> {
     let mut steps = vec![];
     for part in path.split('.') {
-        let (key, entries) = part.find('[').map_or((part, ""), |place| part.split_at(place));
+        let (key, entries) = part.find('[').map_or((part, ""), |bracket| part.split_at(bracket));
         if key.is_empty() {
             return Err(format!("`{path}` is not a path to a number: give one such as results[0].ratio"));
         }

@@ -47,10 +47,10 @@ impl Plan {
     /// Runs a few points until one has a result, from which the kept fields follow.
     pub(crate) fn new(asked: SweepRequest<'_>) -> Result<Self, QueryError> {
         let SweepRequest { question, axes, keep, chunk } = asked;
-        if let Some((place, axis)) = (axes.iter().enumerate())
-            .find(|(place, axis)| axes[..*place].iter().any(|other| other.name == axis.name))
+        if let Some((index, axis)) = (axes.iter().enumerate())
+            .find(|(index, axis)| axes[..*index].iter().any(|other| other.name == axis.name))
         {
-            let reason = format!("`{}` is axis {} already: give each axis once", axis.name, place);
+            let reason = format!("`{}` is axis {} already: give each axis once", axis.name, index);
             return Err(QueryError::usage(option("over"), reason));
         }
         if let Some(axis) = axes.iter().find(|axis| BESIDE.contains(&axis.name.as_str())) {
@@ -62,12 +62,12 @@ impl Plan {
         let grid = Grid::new(axes.iter().map(|axis| axis.values.len()).collect(), chunk)
             .ok_or_else(|| QueryError::usage(option("over"), "the axes have too many points together"))?;
         let answer = first_answer(&template, &axes, &grid)?;
-        let known = fields_of(question);
+        let fields = fields_of(question);
         let kept = match keep.is_empty() {
-            true => all_numbers(&known, &answer)?,
+            true => all_numbers(&fields, &answer)?,
             false => chosen(keep, &answer)?,
         };
-        let kept = named_apart(kept, &axes).into_iter().map(|kept| described(&known, kept)).collect();
+        let kept = named_apart(kept, &axes).into_iter().map(|kept| described(&fields, kept)).collect();
         Ok(Self { template, axes, kept, grid })
     }
 
@@ -97,8 +97,8 @@ impl Plan {
     pub(crate) fn read(written: &Value) -> Result<Self, String> {
         let format = written["format"].as_u64();
         if format != Some(FORMAT) {
-            let found = format.map_or("none".to_owned(), |format| format.to_string());
-            return Err(format!("its format is {found}, and this program knows format {FORMAT}"));
+            let actual = format.map_or("none".to_owned(), |format| format.to_string());
+            return Err(format!("its format is {actual}, and this program knows format {FORMAT}"));
         }
         read_plan(written).ok_or_else(|| "it is not the plan of a sweep".to_owned())
     }
@@ -115,8 +115,8 @@ impl Plan {
         if names(self) != names(other) {
             return Some(format!("its axes are {}", names(self)));
         }
-        if let Some((own, _)) = self.axes.iter().zip(&other.axes).find(|(own, other)| own != other) {
-            return Some(format!("its axis {} has other values", own.name));
+        if let Some((axis, _)) = self.axes.iter().zip(&other.axes).find(|(axis, other)| axis != other) {
+            return Some(format!("its axis {} has other values", axis.name));
         }
         if self.kept != other.kept {
             return Some(format!("it keeps {}", fields(self)));
@@ -137,7 +137,7 @@ impl Plan {
 
     /// The words of the question at a point.
     pub(crate) fn words(&self, point: usize) -> Vec<String> {
-        self.template.at(&self.axes, &self.grid.place(point))
+        self.template.at(&self.axes, &self.grid.indices_of(point))
     }
 }
 
@@ -166,7 +166,7 @@ fn read_plan(written: &Value) -> Option<Plan> {
 fn first_answer(template: &Template, axes: &[Axis], grid: &Grid) -> Result<Value, QueryError> {
     let mut first = None;
     for point in grid.scattered() {
-        match point::answer(&template.at(axes, &grid.place(point))) {
+        match point::answer(&template.at(axes, &grid.indices_of(point))) {
             Ok(answer) => return Ok(answer),
             Err(failure) if failure.is_cancelled() => return Err(failure),
             Err(failure) => drop(first.get_or_insert(failure)),
@@ -177,17 +177,17 @@ fn first_answer(template: &Template, axes: &[Axis], grid: &Grid) -> Result<Value
 
 /// All numbers outside lists; if there are none, paths into the lists must be chosen. A null field counts as a number if it has a unit, otherwise
 /// as a word.
-fn all_numbers(known: &[Description], answer: &Value) -> Result<Vec<Kept>, QueryError> {
+fn all_numbers(descriptions: &[Description], answer: &Value) -> Result<Vec<Kept>, QueryError> {
     let is_number = |kept: &Kept| {
         let is_null = kept.numbers(answer).iter().all(|number| number.is_nan());
-        description_of(known, kept).is_some_and(|it| !is_null || !it.unit.is_empty())
+        description_of(descriptions, kept).is_some_and(|it| !is_null || !it.unit.is_empty())
     };
     let alone = kept::scalars(answer).into_iter().filter_map(|way| Kept::read(&way).ok());
     let alone: Vec<Kept> = alone.filter(is_number).collect();
     if !alone.is_empty() {
         return Ok(alone);
     }
-    let in_lists = known.iter().filter(|it| !it.unit.is_empty() && it.name.contains("[]"));
+    let in_lists = descriptions.iter().filter(|it| !it.unit.is_empty() && it.name.contains("[]"));
     let ways: Vec<String> = in_lists.map(|list| list.name.replace("[]", "[0]")).take(3).collect();
     let reason = format!(
         "all numbers of these results stand in lists: choose those to keep, such as {}",
@@ -225,14 +225,14 @@ fn named_apart(kept: Vec<Kept>, axes: &[Axis]) -> Vec<Kept> {
     kept.into_iter().map(apart).collect()
 }
 
-fn described(known: &[Description], kept: Kept) -> KeptField {
-    let (unit, meaning) = description_of(known, &kept).map_or(("", ""), |it| (it.unit, it.meaning));
+fn described(descriptions: &[Description], kept: Kept) -> KeptField {
+    let (unit, meaning) = description_of(descriptions, &kept).map_or(("", ""), |it| (it.unit, it.meaning));
     KeptField { kept, unit: unit.to_owned(), meaning: meaning.to_owned() }
 }
 
-fn description_of<'a>(known: &'a [Description], kept: &Kept) -> Option<&'a Description> {
+fn description_of<'a>(descriptions: &'a [Description], kept: &Kept) -> Option<&'a Description> {
     let way = kept.described_as();
-    known.iter().find(|it| describes(it, &way))
+    descriptions.iter().find(|it| describes(it, &way))
 }
 
 /// Returns `true` if a description is that of the field at a path; capitals match any name.
@@ -241,5 +241,5 @@ fn describes(description: &Description, way: &str) -> bool {
         (description.name.split('.').collect(), way.split('.').collect());
     let is_open = |name: &str| ["NAME", "KEY", "TOLERANCE", "K"].contains(&name.trim_end_matches("[]"));
     described.len() == way.len()
-        && described.iter().zip(&way).all(|(known, name)| known == name || is_open(known))
+        && described.iter().zip(&way).all(|(part, name)| part == name || is_open(part))
 }

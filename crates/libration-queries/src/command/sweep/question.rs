@@ -41,10 +41,10 @@ impl Template {
     }
 
     /// The words of the question at a point.
-    pub fn at(&self, axes: &[Axis], place: &[usize]) -> Vec<String> {
+    pub fn at(&self, axes: &[Axis], indices: &[usize]) -> Vec<String> {
         let value = |word: &String| {
-            axes.iter().zip(place).fold(word.clone(), |word, (axis, place)| {
-                word.replace(&placeholder(&axis.name), &axis.values[*place])
+            axes.iter().zip(indices).fold(word.clone(), |word, (axis, index)| {
+                word.replace(&placeholder(&axis.name), &axis.values[*index])
             })
         };
         self.0.iter().map(value).collect()
@@ -62,10 +62,10 @@ impl Template {
 
     fn add_initial(&mut self, name: &str) {
         let mut is_given = false;
-        for place in 0..self.0.len() {
-            let is_value = place > 0 && self.0[place - 1] == "--initial";
-            if is_value || self.0[place].starts_with("--initial=") {
-                self.0[place] = format!("{},{}", self.0[place], assignment(name));
+        for index in 0..self.0.len() {
+            let is_value = index > 0 && self.0[index - 1] == "--initial";
+            if is_value || self.0[index].starts_with("--initial=") {
+                self.0[index] = format!("{},{}", self.0[index], assignment(name));
                 is_given = true;
             }
         }
@@ -147,7 +147,7 @@ fn place_in(command: &Command, name: &str) -> Option<AxisPosition> {
         let names = names.unwrap_or_else(|| argument.get_id().to_string());
         names
             .split('|')
-            .any(|own| own.eq_ignore_ascii_case(name) || own.eq_ignore_ascii_case(&format!("{name}s")))
+            .any(|word| word.eq_ignore_ascii_case(name) || word.eq_ignore_ascii_case(&format!("{name}s")))
     };
     arguments.next().filter(|argument| is_named(argument)).map(|_| AxisPosition::Argument)
 }

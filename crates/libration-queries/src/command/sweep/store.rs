@@ -30,8 +30,8 @@ impl Store {
         let version = env!("CARGO_PKG_VERSION").to_owned();
         let store = Self { directory: directory.to_owned(), plan, version };
         if directory.join(MANIFEST).exists() {
-            let found = Self::open(directory)?;
-            return match store.difference(&found) {
+            let existing = Self::open(directory)?;
+            return match store.difference(&existing) {
                 None => Ok(store),
                 Some(difference) => Err(QueryError::failed(format!(
                     "{} holds another sweep: {difference}; give another directory",
@@ -64,9 +64,9 @@ impl Store {
             _ => no_sweep(error.to_string()),
         })?;
         let json: Value = serde_json::from_slice(&text).map_err(|error| no_sweep(error.to_string()))?;
-        if let Some(found) = json["schema"].as_u64().filter(|found| *found != SCHEMA) {
+        if let Some(schema) = json["schema"].as_u64().filter(|schema| *schema != SCHEMA) {
             let reason = format!(
-                "its fields have the names of schema {found}, and those of this version are schema {SCHEMA}: sweep again into a new directory"
+                "its fields have the names of schema {schema}, and those of this version are schema {SCHEMA}: sweep again into a new directory"
             );
             return Err(no_sweep(reason));
         }

@@ -47,7 +47,7 @@ impl<A> Fields<A> {
 
     /// The value at an index in a result.
     fn values<'a>(&'a self, answer: &'a A) -> impl Fn(usize) -> Datum + 'a {
-        |place| self.contents[place].in_answer(answer)
+        |index| self.contents[index].in_answer(answer)
     }
 
     /// An object with the fields.
@@ -141,9 +141,9 @@ impl<A> Fields<A> {
         self.plans.lines(&self.values(answer))
     }
 
-    /// The fields of JSON at `place`, such as `results[].` or an empty text.
-    pub fn described(&self, place: &str) -> Vec<Description> {
-        self.plans.described(place)
+    /// The fields of JSON at `prefix`, such as `results[].` or an empty text.
+    pub fn described(&self, prefix: &str) -> Vec<Description> {
+        self.plans.described(prefix)
     }
 
     /// The columns of CSV.

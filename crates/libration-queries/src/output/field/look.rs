@@ -28,8 +28,8 @@ impl Look {
 
     /// Moves the values of the look after `before` others.
     pub(super) fn behind(&mut self, before: usize) {
-        if let Self::Words(place) | Self::Numeral(place) = self {
-            *place += before;
+        if let Self::Words(index) | Self::Numeral(index) = self {
+            *index += before;
         }
     }
 
@@ -40,7 +40,7 @@ impl Look {
             Self::Short(digits) => value.map(|value| number::short(value, digits)),
             Self::Degrees(digits) => value.map(|value| number::rounded(value.to_degrees(), digits)),
             Self::WithUnit(digits) => value.map(|value| with_unit(value, unit, digits)),
-            Self::Words(place) | Self::Numeral(place) => values(place).to_cell(),
+            Self::Words(index) | Self::Numeral(index) => values(index).to_cell(),
         }
     }
 }

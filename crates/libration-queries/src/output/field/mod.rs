@@ -89,23 +89,23 @@ impl<A> Field<A> {
         Self::new(name, unit, meaning, Content::PresentValue(value))
     }
 
-    /// A value with nested fields, to which `place` leads: `name[].` to those of each object of a list, `name.` to those of one.
-    pub(crate) fn nested<B>(place: &'static str, fields: &Fields<B>, value: Of<A, Value>) -> Self {
-        Self::with_parts(place, fields, Content::Value(value))
+    /// A value with nested fields, to which `prefix` leads: `name[].` to those of each object of a list, `name.` to those of one.
+    pub(crate) fn nested<B>(prefix: &'static str, fields: &Fields<B>, value: Of<A, Value>) -> Self {
+        Self::with_parts(prefix, fields, Content::Value(value))
     }
 
     /// Nested fields that are omitted from JSON if there are none.
     pub(crate) fn present_nested<B>(
-        place: &'static str,
+        prefix: &'static str,
         fields: &Fields<B>,
         value: Of<A, Option<Value>>,
     ) -> Self {
-        Self::with_parts(place, fields, Content::PresentValue(value))
+        Self::with_parts(prefix, fields, Content::PresentValue(value))
     }
 
-    fn with_parts<B>(place: &'static str, fields: &Fields<B>, content: Content<A>) -> Self {
+    fn with_parts<B>(prefix: &'static str, fields: &Fields<B>, content: Content<A>) -> Self {
         Self {
-            plan: FieldPlan::only_described(key_of(place), fields.described(place)),
+            plan: FieldPlan::only_described(key_of(prefix), fields.described(prefix)),
             contents: vec![content],
         }
     }
@@ -171,14 +171,14 @@ impl<A> Field<A> {
 
     /// A column of numbers with a format of their own.
     pub(crate) fn numeral(mut self, title: &'static str, text: Of<A, String>) -> Self {
-        let place = self.place_of(text);
-        self.column(title, Look::Numeral(place))
+        let index = self.place_of(text);
+        self.column(title, Look::Numeral(index))
     }
 
     /// A column of words.
     pub fn words(mut self, title: &'static str, text: Of<A, String>) -> Self {
-        let place = self.place_of(text);
-        self.column(title, Look::Words(place))
+        let index = self.place_of(text);
+        self.column(title, Look::Words(index))
     }
 
     /// A line of a sheet: the number to this many digits with its unit.
@@ -188,8 +188,8 @@ impl<A> Field<A> {
     }
 
     pub(crate) fn line_of(mut self, title: &'static str, text: Of<A, String>) -> Self {
-        let place = self.place_of(text);
-        self.plan.line(title, Look::Words(place));
+        let index = self.place_of(text);
+        self.plan.line(title, Look::Words(index));
         self
     }
 }

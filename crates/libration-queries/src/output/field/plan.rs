@@ -105,12 +105,12 @@ impl Plans {
 
     /// Keeps the fields for a table with these columns, in their order.
     pub(super) fn keep_for_table(&mut self, titles: &[&str]) {
-        let place = |plan: &FieldPlan| {
+        let index = |plan: &FieldPlan| {
             let title = plan.columns.first()?.title;
             titles.iter().position(|other| *other == title)
         };
-        self.0.retain(|plan| place(plan).is_some());
-        self.0.sort_by_key(place);
+        self.0.retain(|plan| index(plan).is_some());
+        self.0.sort_by_key(index);
     }
 
     /// Adds the fields of JSON, in whose names `NAME` stands for this one.
@@ -184,12 +184,12 @@ impl Plans {
         self.0.iter().flat_map(of_plan).collect()
     }
 
-    /// The fields of JSON at `place`, such as `results[].` or an empty text.
-    pub(super) fn described(&self, place: &str) -> Vec<Description> {
+    /// The fields of JSON at `prefix`, such as `results[].` or an empty text.
+    pub(super) fn described(&self, prefix: &str) -> Vec<Description> {
         let described = self.0.iter().filter(|plan| plan.in_json).flat_map(|plan| &plan.described);
         described
             .map(|described| {
-                Description::new(&format!("{place}{}", described.name), described.unit, described.meaning)
+                Description::new(&format!("{prefix}{}", described.name), described.unit, described.meaning)
             })
             .collect()
     }

@@ -26,12 +26,13 @@ pub(super) fn write(
         })?);
     }
     let mut free = FreeNames::new(language);
-    let own: Vec<String> = formulas.iter().map(|formula| free.free_function(&formula.name)).collect();
+    let function_names: Vec<String> =
+        formulas.iter().map(|formula| free.free_function(&formula.name)).collect();
     let symbols: BTreeSet<String> = trees.iter().flat_map(symbols).collect();
     let names = symbols.into_iter().map(|symbol| (symbol.clone(), free.free(&symbol))).collect();
     let functions = formulas
         .iter()
-        .zip(own)
+        .zip(function_names)
         .zip(&trees)
         .map(|((formula, name), tree)| function(language, (&name, &formula.meaning), tree, &names));
     let comment = vec![equations.to_owned()];

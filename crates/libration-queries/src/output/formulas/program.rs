@@ -70,8 +70,8 @@ impl fmt::Display for Program {
             ),
         };
         formatter.write_str(&opening)?;
-        for (place, function) in self.functions.iter().enumerate() {
-            let gap = if place > 0 && self.language == Language::Python { "\n\n" } else { "\n" };
+        for (index, function) in self.functions.iter().enumerate() {
+            let gap = if index > 0 && self.language == Language::Python { "\n\n" } else { "\n" };
             write!(formatter, "{gap}{}", self.written(function))?;
         }
         match self.language {
@@ -105,7 +105,7 @@ impl Program {
             }
             Language::Fortran => (self.fortran_head(function), format!("  end function {name}\n")),
         };
-        let steps = steps.iter().enumerate().map(|(place, step)| self.step(function, place, step));
+        let steps = steps.iter().enumerate().map(|(index, step)| self.step(function, index, step));
         head + &steps.collect::<String>() + &self.returned(name, result) + &foot
     }
 
@@ -124,8 +124,8 @@ impl Program {
         head
     }
 
-    fn step(&self, function: &Function, place: usize, (variable, value): &(String, String)) -> String {
-        let is_first = function.steps[..place].iter().all(|(earlier, _)| earlier != variable);
+    fn step(&self, function: &Function, index: usize, (variable, value): &(String, String)) -> String {
+        let is_first = function.steps[..index].iter().all(|(earlier, _)| earlier != variable);
         let text = match self.language {
             Language::C if is_first => format!("    double {variable} = {value};"),
             Language::C => format!("    {variable} = {value};"),
@@ -176,8 +176,8 @@ fn parts(term: &str) -> Vec<&str> {
     let is_factor =
         |at: usize| bytes[at] == b'*' && bytes[at - 1] != b'*' && bytes.get(at + 1) != Some(&b'*');
     let is_place = |at: &usize| is_factor(*at) || bytes[..*at].ends_with(b", ");
-    let places = (1..bytes.len()).filter(|at| term.len() > COLUMNS - 8 && is_place(at));
-    let ends: Vec<usize> = places.chain([term.len()]).collect();
+    let breaks = (1..bytes.len()).filter(|at| term.len() > COLUMNS - 8 && is_place(at));
+    let ends: Vec<usize> = breaks.chain([term.len()]).collect();
     let starts = [0].into_iter().chain(ends.iter().copied());
     starts.zip(&ends).map(|(start, end)| &term[start..*end]).collect()
 }

@@ -50,12 +50,12 @@ impl TableLayout {
 
     /// Returns `true` if a row that was not seen before fits the widths.
     pub(super) fn holds(&self, columns: &[Column], cells: &[String]) -> bool {
-        let place = |column| self.blocks.iter().flatten().find(|place| place.column == column);
+        let block_of = |column| self.blocks.iter().flatten().find(|block| block.column == column);
         cells.iter().zip(columns).enumerate().all(|(index, (cell, column))| {
-            match (place(index), &column.side) {
+            match (block_of(index), &column.side) {
                 (None, _) => cell.is_empty(),
-                (Some(place), Side::Right) => columns_of(cell) <= place.width,
-                (Some(place), Side::Left) => longest_word(cell) <= place.width,
+                (Some(entry), Side::Right) => columns_of(cell) <= entry.width,
+                (Some(entry), Side::Left) => longest_word(cell) <= entry.width,
             }
         })
     }
@@ -118,17 +118,17 @@ fn taken(widths: &[usize]) -> usize {
 }
 
 /// The lines of a row: the cells side by side, each in as many lines as it needs.
-pub(super) fn lines(places: &[ColumnPlace], columns: &[Column], cells: &[String]) -> Vec<String> {
+pub(super) fn lines(widths: &[ColumnPlace], columns: &[Column], cells: &[String]) -> Vec<String> {
     let nothing = String::new();
-    let cell = |place: &ColumnPlace| folded(cells.get(place.column).unwrap_or(&nothing), place.width);
-    let stacks: Vec<Vec<String>> = places.iter().map(cell).collect();
+    let cell = |column: &ColumnPlace| folded(cells.get(column.column).unwrap_or(&nothing), column.width);
+    let stacks: Vec<Vec<String>> = widths.iter().map(cell).collect();
     let height = stacks.iter().map(Vec::len).max().unwrap_or(0);
     let line = |level: usize| {
-        let aligned = places.iter().zip(&stacks).map(|(place, stack)| {
+        let aligned = widths.iter().zip(&stacks).map(|(column, stack)| {
             let text = stack.get(level).map_or("", String::as_str);
-            match columns[place.column].side {
-                Side::Left => padded(text, place.width),
-                Side::Right => format!("{:1$}{text}", "", place.width.saturating_sub(columns_of(text))),
+            match columns[column.column].side {
+                Side::Left => padded(text, column.width),
+                Side::Right => format!("{:1$}{text}", "", column.width.saturating_sub(columns_of(text))),
             }
         });
         aligned.collect::<Vec<_>>().join("  ").trim_end().to_owned()

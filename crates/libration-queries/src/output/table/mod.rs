@@ -93,8 +93,8 @@ impl Table {
         Ok(())
     }
 
-    fn write(&self, out: &mut dyn Write, places: &[ColumnPlace], cells: &[String]) -> io::Result<()> {
-        lines(places, &self.columns, cells).iter().try_for_each(|line| writeln!(out, "{line}"))
+    fn write(&self, out: &mut dyn Write, widths: &[ColumnPlace], cells: &[String]) -> io::Result<()> {
+        lines(widths, &self.columns, cells).iter().try_for_each(|line| writeln!(out, "{line}"))
     }
 }
 

@@ -14,7 +14,7 @@ fn chunks_are_runs_that_cover_the_grid() {
                 assert_eq!(points.start, next, "{shape:?} {most:?}");
                 assert!(points.len() <= most.unwrap_or(usize::MAX) && !points.is_empty());
                 // A block, too: the place of its last point is that of its first and the lengths of the block.
-                let (first, last) = (grid.place(points.start), grid.place(points.end - 1));
+                let (first, last) = (grid.indices_of(points.start), grid.indices_of(points.end - 1));
                 let lengths = first.iter().zip(&last).map(|(first, last)| last + 1 - first);
                 assert_eq!(lengths.product::<usize>(), points.len(), "{shape:?} {most:?}");
                 next = points.end;

@@ -18,10 +18,10 @@ impl Comparison {
     /// excluded have none.
     #[must_use]
     pub fn weights(&self) -> Vec<f64> {
-        let least = (0..self.fits.len()).map(|place| self.evidence(place)).fold(f64::INFINITY, f64::min);
-        let weight = |place: usize| match self.standing(place) {
+        let least = (0..self.fits.len()).map(|index| self.evidence(index)).fold(f64::INFINITY, f64::min);
+        let weight = |index: usize| match self.standing(index) {
             Standing::Preferred | Standing::Tied | Standing::Possible => {
-                libm::exp(-0.5 * (self.evidence(place) - least).min(2.0 * Self::DECISIVE))
+                libm::exp(-0.5 * (self.evidence(index) - least).min(2.0 * Self::DECISIVE))
             }
             Standing::Negative | Standing::FeedsEnergy | Standing::Excluded => 0.0,
         };
@@ -45,11 +45,12 @@ impl Comparison {
 
     /// The difference of Q at an amplitude, in radians, between a model and the others with their weights, as a standard deviation.
     pub(crate) fn spread_of_quality(&self, of: &TraceFit, amplitude: f64) -> f64 {
-        let Some(own) = of.quality(amplitude) else { return 0.0 };
-        let known = self.fits.iter().zip(self.weights());
-        let known = known.filter_map(|(fit, weight)| Some((fit.quality(amplitude)?.factor.value, weight)));
-        let (sum, weights) = known.fold((0.0, 0.0), |(sum, weights), (value, weight)| {
-            let difference = value - own.factor.value;
+        let Some(quality) = of.quality(amplitude) else { return 0.0 };
+        let pairs = self.fits.iter().zip(self.weights());
+        let qualities =
+            pairs.filter_map(|(fit, weight)| Some((fit.quality(amplitude)?.factor.value, weight)));
+        let (sum, weights) = qualities.fold((0.0, 0.0), |(sum, weights), (value, weight)| {
+            let difference = value - quality.factor.value;
             (sum + weight * difference * difference, weights + weight)
         });
         (sum / weights).sqrt()
@@ -58,12 +59,12 @@ impl Comparison {
     /// Averages with the unconditional variance of Burnham and Anderson's equation 4.9, as variances.
     fn averaged(&self, estimate: impl Fn(&TraceFit) -> Option<Uncertain>) -> ModelAverage {
         let weights = self.weights();
-        let known =
+        let pairs =
             self.fits.iter().zip(&weights).filter_map(|(fit, weight)| Some((estimate(fit)?, *weight)));
-        let known: Vec<(Uncertain, f64)> = known.collect();
-        let total: f64 = known.iter().map(|(_, weight)| weight).sum();
+        let estimates: Vec<(Uncertain, f64)> = pairs.collect();
+        let total: f64 = estimates.iter().map(|(_, weight)| weight).sum();
         let mean = |number: &dyn Fn(&Uncertain) -> f64| {
-            known.iter().map(|(one, weight)| weight * number(one)).sum::<f64>() / total
+            estimates.iter().map(|(one, weight)| weight * number(one)).sum::<f64>() / total
         };
         let value = mean(&|one| one.value);
         let between = mean(&|one| (one.value - value) * (one.value - value));

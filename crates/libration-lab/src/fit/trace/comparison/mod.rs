@@ -52,8 +52,8 @@ impl Comparison {
     }
 
     /// The criterion, with the penalty for a negative coefficient; infinite for damping that feeds energy.
-    fn evidence(&self, place: usize) -> f64 {
-        evidence(&self.fits[place], self.aicc_differences[place])
+    fn evidence(&self, index: usize) -> f64 {
+        evidence(&self.fits[index], self.aicc_differences[index])
     }
 
     #[doc(hidden)]
@@ -93,7 +93,7 @@ fn evidence(fit: &TraceFit, excess: f64) -> f64 {
 /// Index of the simplest model: of those within [`Comparison::SUBSTANTIAL`] of the best one those with the fewest terms, and of these the best.
 pub fn simplest(counts: &[usize], evidence: &[f64]) -> usize {
     let least = evidence.iter().copied().fold(f64::INFINITY, f64::min);
-    let close = (0..counts.len()).filter(|&place| evidence[place] <= least + Comparison::SUBSTANTIAL);
+    let close = (0..counts.len()).filter(|&index| evidence[index] <= least + Comparison::SUBSTANTIAL);
     let order =
         |&a: &usize, &b: &usize| counts[a].cmp(&counts[b]).then_with(|| evidence[a].total_cmp(&evidence[b]));
     close.min_by(order).unwrap_or(0)

@@ -158,8 +158,8 @@ fn end(
         Some(near) if is_known || leaves_noise => near,
         Some(near) if parts().any(Candidate::leaves_noise) => near,
         Some(near) => {
-            let known = near.as_ref().ok().cloned();
-            deeper(near, search::from_scratch(problem, known.as_ref(), watch))
+            let nearest = near.as_ref().ok().cloned();
+            deeper(near, search::from_scratch(problem, nearest.as_ref(), watch))
         }
         None => search::from_scratch(problem, None, watch),
     }

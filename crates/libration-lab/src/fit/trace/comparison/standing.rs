@@ -38,15 +38,15 @@ impl Standing {
 impl Comparison {
     /// The standing of the model at this index.
     #[must_use]
-    pub fn standing(&self, place: usize) -> Standing {
-        let fit = &self.fits[place];
-        let beyond = self.evidence(place) - self.evidence(self.preferred);
+    pub fn standing(&self, index: usize) -> Standing {
+        let fit = &self.fits[index];
+        let beyond = self.evidence(index) - self.evidence(self.preferred);
         match () {
-            () if place == self.preferred => Standing::Preferred,
+            () if index == self.preferred => Standing::Preferred,
             () if !fit.dissipates() => Standing::FeedsEnergy,
             () if beyond < Self::INDISTINGUISHABLE => Standing::Tied,
             () if beyond < Self::UNSUPPORTED => Standing::Possible,
-            () if fit.dissipates() && self.excess_over_preferred(place) < Self::UNSUPPORTED => {
+            () if fit.dissipates() && self.excess_over_preferred(index) < Self::UNSUPPORTED => {
                 Standing::Negative
             }
             () => Standing::Excluded,
@@ -56,8 +56,8 @@ impl Comparison {
     /// The other models that the data do not exclude.
     #[must_use]
     pub fn rivals(&self) -> Vec<DampingModel> {
-        let left = |place: &usize| matches!(self.standing(*place), Standing::Tied | Standing::Possible);
-        (0..self.fits.len()).filter(left).map(|place| self.fits[place].damping).collect()
+        let left = |index: &usize| matches!(self.standing(*index), Standing::Tied | Standing::Possible);
+        (0..self.fits.len()).filter(left).map(|index| self.fits[index].damping).collect()
     }
 
     /// The rivals that contradict the preferred model: they lack a kind of damping that it has, or their additional terms change
@@ -68,16 +68,17 @@ impl Comparison {
         let preferred = self.best();
         let moves = |rival: &TraceFit| {
             preferred.damping.iter().any(|term| {
-                let [own, other] = [preferred, rival].map(|fit| fit.damping_coefficient(term));
-                own.zip(other).is_none_or(|(own, other)| {
-                    (other.estimate.value - own.estimate.value).abs() > Self::MOVED * own.estimate.uncertainty
+                let [reference, other] = [preferred, rival].map(|fit| fit.damping_coefficient(term));
+                reference.zip(other).is_none_or(|(coefficient, other)| {
+                    (other.estimate.value - coefficient.estimate.value).abs()
+                        > Self::MOVED * coefficient.estimate.uncertainty
                 })
             })
         };
         let adds_nothing = |rival: &TraceFit| {
             let contains = preferred.damping.iter().all(|term| rival.damping_coefficient(term).is_some());
-            let own = |term: &DampingKind| preferred.damping_coefficient(*term).is_some();
-            let mut added = rival.damping.iter().filter(|term| !own(term));
+            let has = |term: &DampingKind| preferred.damping_coefficient(*term).is_some();
+            let mut added = rival.damping.iter().filter(|term| !has(term));
             let is_zero = |term: DampingKind| {
                 let added = rival.damping_coefficient(term).map(|it| it.estimate);
                 added.is_none_or(|added| added.deviation_from(0.0) <= Self::ZERO)
@@ -99,12 +100,12 @@ impl Comparison {
             .iter()
             .enumerate()
             .filter(|(_, fit)| !(fit.dissipates() && fit.dissipates_by_each_term()));
-        let with_evidence = doubtful.map(|(place, fit)| (fit, -self.excess_over_preferred(place)));
+        let with_evidence = doubtful.map(|(index, fit)| (fit, -self.excess_over_preferred(index)));
         with_evidence.filter(|(_, evidence)| *evidence > Self::SUBSTANTIAL)
     }
 
     /// Difference of the criterion from that of the preferred model.
-    fn excess_over_preferred(&self, place: usize) -> f64 {
-        self.aicc_differences[place] - self.aicc_differences[self.preferred]
+    fn excess_over_preferred(&self, index: usize) -> f64 {
+        self.aicc_differences[index] - self.aicc_differences[self.preferred]
     }
 }

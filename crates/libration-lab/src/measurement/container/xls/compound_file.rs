@@ -20,7 +20,8 @@ struct CompoundFile<'a> {
 /// The bytes of the stream of this name, if the file is whole enough to have it.
 pub(super) fn stream(bytes: &[u8], name: &str) -> Option<Vec<u8>> {
     let file = CompoundFile::open(bytes)?;
-    let entry = file.entry(|entry| entry_name(entry).is_some_and(|found| found == name) && entry[66] == 2)?;
+    let entry =
+        file.entry(|entry| entry_name(entry).is_some_and(|entry_name| entry_name == name) && entry[66] == 2)?;
     let (start, size) = extent(entry)?;
     if size < SMALL_BELOW { file.small_stream(start, size) } else { file.chain(start, size) }
 }
@@ -39,14 +40,14 @@ impl<'a> CompoundFile<'a> {
 
     /// The sectors of the allocation table: 109 are named in the header, the others in further sectors.
     fn tables(&self) -> Option<Vec<u32>> {
-        let mut tables: Vec<u32> = (0..109).map_while(|place| u32_at(self.bytes, 76 + 4 * place)).collect();
+        let mut tables: Vec<u32> = (0..109).map_while(|index| u32_at(self.bytes, 76 + 4 * index)).collect();
         let mut more = u32_at(self.bytes, 68)?;
         for _ in 0..self.bytes.len() / self.sector {
             if more > LAST_SECTOR {
                 break;
             }
             let sector = self.sector_at(more)?;
-            tables.extend((0..self.sector / 4 - 1).filter_map(|place| u32_at(sector, 4 * place)));
+            tables.extend((0..self.sector / 4 - 1).filter_map(|index| u32_at(sector, 4 * index)));
             more = u32_at(sector, self.sector - 4)?;
         }
         tables.retain(|&table| table <= LAST_SECTOR);
@@ -100,7 +101,7 @@ impl<'a> CompoundFile<'a> {
 
 fn entry_name(entry: &[u8]) -> Option<String> {
     let letters = usize::from(u16_at(entry, 64)?).checked_sub(2)? / 2;
-    let letters: Vec<u16> = (0..letters.min(31)).filter_map(|place| u16_at(entry, 2 * place)).collect();
+    let letters: Vec<u16> = (0..letters.min(31)).filter_map(|index| u16_at(entry, 2 * index)).collect();
     String::from_utf16(&letters).ok()
 }
 

@@ -98,7 +98,7 @@ impl Workbook {
         match record.kind {
             Record::NUMBER | Record::SMALL_NUMBER | Record::SMALL_NUMBERS => self.numbers(record, grid)?,
             Record::SHARED_STRING | Record::LABEL | Record::BOOLEAN_OR_ERROR => {
-                let (row, column) = record.place().ok_or_else(cell_cut_off)?;
+                let (row, column) = record.row_and_column().ok_or_else(cell_cut_off)?;
                 grid.text(row, column, &self.words(record).ok_or_else(cell_cut_off)?)?;
             }
             Record::FORMULA => return self.result(record, grid),
@@ -114,7 +114,7 @@ impl Workbook {
 
     /// One number, or several side by side.
     fn numbers(&self, record: &Record<'_>, grid: &mut CellGrid) -> Result<(), MeasurementError> {
-        let (row, first) = record.place().ok_or_else(cell_cut_off)?;
+        let (row, first) = record.row_and_column().ok_or_else(cell_cut_off)?;
         if record.kind == Record::NUMBER {
             return self.number(grid, row, first, record.u16(4), record.f64(6).ok_or_else(cell_cut_off)?);
         }
@@ -141,7 +141,7 @@ impl Workbook {
         record: &Record<'_>,
         grid: &mut CellGrid,
     ) -> Result<Option<(u32, u32)>, MeasurementError> {
-        let (row, column) = record.place().ok_or_else(cell_cut_off)?;
+        let (row, column) = record.row_and_column().ok_or_else(cell_cut_off)?;
         match record.data.get(6..14).ok_or_else(cell_cut_off)? {
             [0, .., 0xff, 0xff] => return Ok(Some((row, column))),
             [_, .., 0xff, 0xff] => grid.text(row, column, "error")?,

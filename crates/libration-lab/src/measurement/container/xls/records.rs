@@ -34,7 +34,7 @@ impl Record<'_> {
     const CONTINUED: u16 = 0x003c;
 
     /// Row and column, with which the data of every cell begin.
-    pub(super) fn place(&self) -> Option<(u32, u32)> {
+    pub(super) fn row_and_column(&self) -> Option<(u32, u32)> {
         Some((u32::from(self.u16(0)?), u32::from(self.u16(2)?)))
     }
 

@@ -91,6 +91,6 @@ fn letter(reference: &BytesRef<'_>) -> Result<Cow<'static, str>, MeasurementErro
         return Ok(letter.to_string().into());
     }
     let name = reference.xml10_content();
-    let known = escape::resolve_predefined_entity(&name).map(Cow::Borrowed);
-    known.ok_or_else(|| damaged(format!("`&{name};` in it is unknown")))
+    let character = escape::resolve_predefined_entity(&name).map(Cow::Borrowed);
+    character.ok_or_else(|| damaged(format!("`&{name};` in it is unknown")))
 }

@@ -34,7 +34,7 @@ struct Cells<'a> {
 
 /// A cell that has begun.
 struct UnfinishedCell {
-    place: (u32, u32),
+    position: (u32, u32),
     kind: String,
     style: u16,
     /// Its value as in the file, which for shared strings is a number, and `true` while it is being read.
@@ -62,12 +62,12 @@ impl Cells<'_> {
     }
 
     fn begun(&self, element: &Element<'_>) -> Result<UnfinishedCell, MeasurementError> {
-        let place = match element.attribute("r")? {
-            Some(address) => place(&address).ok_or_else(|| beyond(&address))?,
+        let address = match element.attribute("r")? {
+            Some(address) => position_of(&address).ok_or_else(|| beyond(&address))?,
             None => self.next,
         };
         Ok(UnfinishedCell {
-            place,
+            position: address,
             kind: element.attribute("t")?.unwrap_or_default(),
             style: element.number("s")?.unwrap_or(0),
             value: String::new(),
@@ -77,7 +77,7 @@ impl Cells<'_> {
     }
 
     fn end_cell(&mut self) -> Result<(), MeasurementError> {
-        let Some(UnfinishedCell { place: (row, column), kind, style, value, mut words, .. }) =
+        let Some(UnfinishedCell { position: (row, column), kind, style, value, mut words, .. }) =
             self.cell.take()
         else {
             return Ok(());
@@ -121,12 +121,12 @@ impl UnfinishedCell {
 }
 
 /// Row and column of an address such as `B7`, from zero, if a worksheet can have them.
-pub fn place(address: &str) -> Option<(u32, u32)> {
+pub fn position_of(address: &str) -> Option<(u32, u32)> {
     let (letters, number) = address.split_at(address.find(|letter: char| letter.is_ascii_digit())?);
     let column = letters.bytes().try_fold(0_u32, |sum, letter| {
-        let place =
+        let digit =
             letter.is_ascii_alphabetic().then(|| u32::from(letter.to_ascii_uppercase() - b'A') + 1)?;
-        Some(26 * sum + place).filter(|&column| column <= MOST_COLUMNS)
+        Some(26 * sum + digit).filter(|&column| column <= MOST_COLUMNS)
     })?;
     Some((row(number)?, column.checked_sub(1)?))
 }

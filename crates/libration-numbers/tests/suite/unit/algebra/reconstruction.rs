@@ -53,7 +53,7 @@ fn low_orders_are_certain_before_high_ones() {
     for primes in [8, 16, 24, 40] {
         let stopped =
             reconstruct(&mut BrokenOff(numbers.clone(), primes), primes_with_roots(12)).unwrap_err();
-        let (known, complete) = stopped.known.unwrap();
+        let (known, complete) = stopped.certain.unwrap();
         assert_eq!(known[..=complete], numbers[..=complete]);
         assert!(known[complete + 1..].iter().all(Rational::is_zero));
         // Over the expected denominators a power needs 4.5 bits per order; a prime has 30 bits, and five primes confirm.
@@ -64,7 +64,7 @@ fn low_orders_are_certain_before_high_ones() {
         before = complete;
     }
     let stopped = reconstruct(&mut BrokenOff(numbers, 1), primes_with_roots(12)).unwrap_err();
-    assert!(stopped.known.is_none());
+    assert!(stopped.certain.is_none());
 }
 
 #[test]

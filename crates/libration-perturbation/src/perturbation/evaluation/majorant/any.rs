@@ -108,15 +108,15 @@ fn value(weights: &[Weight], x: f64) -> f64 {
 
 /// Σ wⱼ f(j) over the powers up to one.
 fn weighted(weights: &[Weight], up_to: usize, of: impl Fn(usize) -> f64) -> f64 {
-    let known = weights.iter().take_while(|weight| weight.power <= up_to);
-    known.map(|known| known.coefficient * of(known.power)).sum()
+    let terms = weights.iter().take_while(|weight| weight.power <= up_to);
+    terms.map(|weight| weight.coefficient * of(weight.power)).sum()
 }
 
 /// Positions that approach the separatrix, at which energy and slope keep enough digits.
 fn beyond(weights: &[Weight], critical: f64) -> Vec<Beyond> {
     const PLACES: u32 = 48;
-    let at = |place: u32| {
-        let x = 1.0 - libm::exp2(-0.5 * f64::from(place));
+    let at = |step: u32| {
+        let x = 1.0 - libm::exp2(-0.5 * f64::from(step));
         let square = x * x * (1.0 - value(weights, x));
         // Of the force x − Σ |cₘ| xᵐ, where cₘ = (m + 1)/2 of the weight.
         let force = |weight: &Weight| {

@@ -119,6 +119,6 @@ fn place_of_one(sum: impl Fn(f64) -> f64) -> Option<f64> {
     if sum(high) < 1.0 || sum(high).is_nan() {
         return None;
     }
-    let [place, _] = bisect([0.0, high], Tolerance::LAST_BIT, |place| sum(place) < 1.0);
-    (1e-100..1e100).contains(&place).then_some(place)
+    let [root, _] = bisect([0.0, high], Tolerance::LAST_BIT, |amplitude| sum(amplitude) < 1.0);
+    (1e-100..1e100).contains(&root).then_some(root)
 }

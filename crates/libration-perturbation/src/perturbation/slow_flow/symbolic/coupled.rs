@@ -33,7 +33,7 @@ pub struct CoupledSlowFlow {
     pub coordinates: Vec<CoordinateFlow>,
 }
 
-/// Amplitude and phase of one coordinate: A·cos(nψ + φ) with terms of other frequencies, ψ being the phase of the first.
+/// Amplitude and phase of one coordinate: A·cos(nψ + φ) with terms of other properties, ψ being the phase of the first.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct CoordinateFlow {
@@ -62,11 +62,11 @@ pub struct CoordinateFlow {
 /// The slow flow of coupled oscillators with symbolic parameters, free or driven, near an internal resonance.
 ///
 /// The linear parts of the equations are those of uncoupled oscillators; coupling, damping and drive are small, or a drive forces a motion away
-/// from the natural frequencies. All motions have the frequencies of one wave: those of the coordinates are whole multiples of it, from which
-/// natural frequencies and drive differ by small detunings.
+/// from the natural properties. All motions have the properties of one wave: those of the coordinates are whole multiples of it, from which
+/// natural properties and drive differ by small detunings.
 ///
 /// # Errors
-/// Equations that are not oscillators with small terms, natural frequencies whose ratios are not known, an order out of range, cancellation.
+/// Equations that are not oscillators with small terms, natural properties whose ratios are not known, an order out of range, cancellation.
 ///
 /// # Examples
 /// ```
@@ -87,17 +87,17 @@ pub fn coupled_slow_flow(
     options: &SymbolicSlowFlowOptions,
     progress: &dyn Progress,
 ) -> Result<CoupledSlowFlow, SymbolicSlowFlowError> {
-    answered(equation, options, progress, |setting, forced, found, solved, order| {
+    answered(equation, options, progress, |setting, forced, properties, solved, order| {
         let of_coordinate =
-            |coordinate| coordinate_flow(equation, setting, forced, found, solved, coordinate);
+            |coordinate| coordinate_flow(equation, setting, forced, properties, solved, coordinate);
         let is_driven = setting.drive.is_some();
         let (p, q) = setting.resonance;
         CoupledSlowFlow {
             order: usize::try_from(order).unwrap_or(0),
-            order_note: found.left_out.clone(),
+            order_note: properties.left_out.clone(),
             resonance: u32::try_from(p).ok().zip(u32::try_from(q).ok()).filter(|_| is_driven),
             drive_frequency: is_driven.then(|| super::result::drive_frequency(forced, setting.resonance)),
-            natural_frequency_squared: found.natural.as_ref().map(ToString::to_string),
+            natural_frequency_squared: properties.natural.as_ref().map(ToString::to_string),
             detuning: is_driven.then(|| setting.names.detuning.clone()),
             coordinates: (0..forced.harmonics.len()).map(of_coordinate).collect(),
         }
@@ -108,16 +108,16 @@ fn coordinate_flow(
     equation: &Equation,
     setting: &Setting,
     forced: &Forced<'_>,
-    found: &Found,
+    properties: &Found,
     solved: &Solved,
     coordinate: usize,
 ) -> CoordinateFlow {
     let letters = forced.letters;
     let names = &setting.names.coordinates[coordinate];
     let rates = Phases::rates(letters, &solved.rates[coordinate], coordinate);
-    let per_amplitude = letters.power_at(letters.place_of(Column::Amplitude, coordinate), -1);
+    let per_amplitude = letters.power_at(letters.index_of(Column::Amplitude, coordinate), -1);
     let angle = |turns: &[i64]| slow_angle(setting, turns);
-    let square = found.natural_squares[coordinate].as_ref();
+    let square = properties.natural_squares[coordinate].as_ref();
     CoordinateFlow {
         name: equation.variables()[coordinate].clone(),
         amplitude: names.amplitude.clone(),
@@ -138,10 +138,10 @@ struct Phases(BTreeMap<Vec<i64>, [Sum; 2]>);
 impl Phases {
     /// A′ and A·φ′ of a coordinate: real and imaginary part of 2z′·e^{−iφ}.
     fn rates(letters: &Letters, rate: &Sum, coordinate: usize) -> [Self; 2] {
-        let own = letters.power_at(letters.place_of(Column::Conjugate, coordinate), 1);
+        let conjugate = letters.power_at(letters.index_of(Column::Conjugate, coordinate), 1);
         // z̄ is A·e^{−iφ}/2: 2z′·e^{−iφ} is 4·z′·z̄/A.
-        let inverse = letters.power_at(letters.place_of(Column::Amplitude, coordinate), -1);
-        let turned = letters.times(&letters.times(rate, &own), &inverse);
+        let inverse = letters.power_at(letters.index_of(Column::Amplitude, coordinate), -1);
+        let turned = letters.times(&letters.times(rate, &conjugate), &inverse);
         Self::parts(letters, &letters.scaled(&turned, &Rational::from(4)))
     }
 
@@ -149,17 +149,17 @@ impl Phases {
     fn parts(letters: &Letters, sum: &Sum) -> [Self; 2] {
         let mut parts = [BTreeMap::<Vec<i64>, [Sum; 2]>::new(), BTreeMap::new()];
         for turns in all_turns(letters, sum) {
-            let own = letters.part(sum, |powers| turns_of(letters, powers) == turns);
-            let [real, imaginary] = real_and_imaginary(letters, &polar(letters, &own));
+            let harmonic = letters.part(sum, |powers| turns_of(letters, powers) == turns);
+            let [real, imaginary] = real_and_imaginary(letters, &polar(letters, &harmonic));
             let sign = turns.iter().copied().find(|turn| *turn != 0).map_or(0, i64::signum);
             let key: Vec<i64> = turns.iter().map(|turn| turn * if sign < 0 { -1 } else { 1 }).collect();
             let scaled = |a: &Sum, by: i64| letters.scaled(a, &Rational::from(by));
             // (r + i·m)·(cos + i·sign·sin).
             let both = [[real.clone(), scaled(&imaginary, -sign)], [imaginary.clone(), scaled(&real, sign)]];
             for (part, [cosine, sine]) in parts.iter_mut().zip(both) {
-                let place = part.entry(key.clone()).or_insert_with(|| [letters.zero(), letters.zero()]);
-                place[0] = letters.add(&place[0], &cosine);
-                place[1] = letters.add(&place[1], &sine);
+                let pair = part.entry(key.clone()).or_insert_with(|| [letters.zero(), letters.zero()]);
+                pair[0] = letters.add(&pair[0], &cosine);
+                pair[1] = letters.add(&pair[1], &sine);
             }
         }
         parts.map(Self)
@@ -193,7 +193,7 @@ impl Phases {
 fn turns_of(letters: &Letters, powers: &[i64]) -> Vec<i64> {
     let turn = |coordinate| {
         let [z, conjugate] =
-            [Column::Phasor, Column::Conjugate].map(|column| powers[letters.place_of(column, coordinate)]);
+            [Column::Phasor, Column::Conjugate].map(|column| powers[letters.index_of(column, coordinate)]);
         (z - conjugate) / 2
     };
     (0..letters.coordinates).map(turn).collect()
@@ -234,9 +234,9 @@ fn displacement(setting: &Setting, forced: &Forced<'_>, sum: &Sum, coordinate: u
             if k == 0 && first < 0 {
                 continue;
             }
-            let own = letters.part(&of_wave, |powers| turns_of(letters, powers) == turns);
+            let harmonic = letters.part(&of_wave, |powers| turns_of(letters, powers) == turns);
             let doubled = if k == 0 && first == 0 { 1 } else { 2 };
-            let amplitude = letters.scaled(&polar(letters, &own), &Rational::from(doubled));
+            let amplitude = letters.scaled(&polar(letters, &harmonic), &Rational::from(doubled));
             let [real, imaginary] = real_and_imaginary(letters, &amplitude);
             let slow = slow_angle(setting, &turns);
             let mut angle = fast_angle(setting, forced, k);

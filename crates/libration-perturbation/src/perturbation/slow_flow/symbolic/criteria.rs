@@ -92,12 +92,12 @@ impl ResponseCurve<'_> {
 
     /// A sum divided by the power `low` of A, with the power `root` of A in the column of A; `None` if others occur.
     fn in_power(&self, sum: &Sum, low: i64, root: i64) -> Option<Sum> {
-        let place = self.letters.place(Column::Amplitude);
-        if sum.half_powers().any(|(powers, _)| (powers[place] - 2 * low) % (2 * root) != 0) {
+        let amplitude = self.letters.index(Column::Amplitude);
+        if sum.half_powers().any(|(powers, _)| (powers[amplitude] - 2 * low) % (2 * root) != 0) {
             return None;
         }
         Some(self.letters.changed(sum, |powers, factor| {
-            powers[place] = (powers[place] - 2 * low) / root;
+            powers[amplitude] = (powers[amplitude] - 2 * low) / root;
             factor.clone()
         }))
     }
@@ -126,11 +126,12 @@ impl ResponseCurve<'_> {
         let drive = letters.coefficient(on_ridge, Column::Amplitude, 0);
         let Some(order) = letters.lowest_order(&drive).filter(|_| high > 0) else { return false };
         // A^high has the order of the drive over that of the damping.
-        let (place, grade) = (letters.place(Column::Amplitude), letters.place(Column::Order));
+        let (amplitude, grade) = (letters.index(Column::Amplitude), letters.index(Column::Order));
         let is_smaller =
-            |powers: &[i64]| powers[grade] * high + (order - first) * powers[place] > 2 * order * high;
+            |powers: &[i64]| powers[grade] * high + (order - first) * powers[amplitude] > 2 * order * high;
         on_ridge.half_powers().all(|(powers, _)| {
-            let is_balance = powers[place] == 0 || (powers[place] == 2 * high && powers[grade] == 2 * first);
+            let is_balance =
+                powers[amplitude] == 0 || (powers[amplitude] == 2 * high && powers[grade] == 2 * first);
             is_balance || is_smaller(powers)
         })
     }
@@ -157,12 +158,12 @@ impl ResponseCurve<'_> {
 
     /// A sum in powers of A at a value of a power of A.
     pub(super) fn at_power(&self, sum: &Sum, power: &Sum, root: i64, order: i64) -> Option<Sum> {
-        let place = self.letters.place(Column::Amplitude);
-        if sum.half_powers().any(|(powers, _)| powers[place] % (2 * root) != 0) {
+        let amplitude = self.letters.index(Column::Amplitude);
+        if sum.half_powers().any(|(powers, _)| powers[amplitude] % (2 * root) != 0) {
             return None;
         }
         let in_power = self.letters.changed(sum, |powers, factor| {
-            powers[place] /= root;
+            powers[amplitude] /= root;
             factor.clone()
         });
         self.substituted(&in_power, power, order)
@@ -203,13 +204,13 @@ impl ResponseCurve<'_> {
         self.check_cubic(&relation, [&kappa, &slope, &square, &drive])?;
         let rate = letters.ring.power(&square, &Rational::new(3, 2)?)?;
         // A symbol that other terms have too, such as eps, is not the drive.
-        let is_elsewhere = |place: &usize| {
+        let is_elsewhere = |column: &usize| {
             [&kappa, &slope, &square]
                 .iter()
-                .any(|sum| sum.half_powers().any(|(powers, _)| powers[*place] != 0))
+                .any(|sum| sum.half_powers().any(|(powers, _)| powers[*column] != 0))
         };
-        let own: Vec<usize> = drives.iter().copied().filter(|place| !is_elsewhere(place)).collect();
-        let (amplitude, per_square) = self.drive_amplitude(&drive, &own)?;
+        let only_drives: Vec<usize> = drives.iter().copied().filter(|column| !is_elsewhere(column)).collect();
+        let (amplitude, per_square) = self.drive_amplitude(&drive, &only_drives)?;
         let above = letters.times(&letters.times(&kappa, &rate), &letters.inverse(&per_square)?);
         let above = letters.scaled(&above, &Rational::new(-8, 3)?);
         // Without damping every drive has folds, and without a bend none.
@@ -225,10 +226,10 @@ impl ResponseCurve<'_> {
         let (first, factor) = drive.half_powers().next()?;
         let factor = factor.clone();
         let mut rest = first.clone();
-        symbols.iter().for_each(|&place| rest[place] = 0);
+        symbols.iter().for_each(|&column| rest[column] = 0);
         let rest = letters.ring.term(rest, factor);
         let square = letters.times(drive, &letters.inverse(&rest)?);
-        let is_own = |(place, power): (usize, &i64)| *power == 0 || symbols.contains(&place);
+        let is_own = |(column, power): (usize, &i64)| *power == 0 || symbols.contains(&column);
         if square.to_constant().is_some()
             || !square.half_powers().all(|(powers, _)| powers.iter().enumerate().all(is_own))
         {
@@ -264,7 +265,7 @@ impl ResponseCurve<'_> {
     /// are smaller.
     fn leading(&self) -> Sum {
         let letters = self.letters;
-        let [detuning, amplitude] = [Column::Detuning, Column::Amplitude].map(|column| letters.place(column));
+        let [detuning, amplitude] = [Column::Detuning, Column::Amplitude].map(|column| letters.index(column));
         let leading = letters.of_order(self.relation, 0);
         [0, 2].into_iter().fold(leading, |sum, power| {
             let is_level = |powers: &[i64]| powers[detuning] == 0 && powers[amplitude] == 2 * power;
@@ -290,15 +291,15 @@ impl ResponseCurve<'_> {
     /// √(above/(√3·|slope|)), positive factors of the slope taken out.
     fn over_slope(&self, above: &Sum, slope: &Sum) -> String {
         let letters = self.letters;
-        let natural = letters.place(Column::Natural);
+        let natural = letters.index(Column::Natural);
         let Some((powers, factor)) = slope.as_single_term() else {
             return format!("sqrt(({})/(sqrt(3)*abs({})))", letters.text(above), letters.text(slope));
         };
-        let is_positive = |place: usize| self.omega0.half_powers().any(|(powers, _)| powers[place] != 0);
+        let is_positive = |column: usize| self.omega0.half_powers().any(|(powers, _)| powers[column] != 0);
         let mut signed = vec![0; powers.len()];
-        for (place, power) in powers.iter().enumerate() {
-            if place < natural && *power != 0 && !is_positive(place) {
-                signed[place] = *power;
+        for (column, power) in powers.iter().enumerate() {
+            if column < natural && *power != 0 && !is_positive(column) {
+                signed[column] = *power;
             }
         }
         let signed = letters.ring.term(signed.into(), Rational::from(1));

@@ -24,8 +24,8 @@ pub(super) fn resultant(letters: &Letters, sum: &Sum) -> Option<Sum> {
         .into_iter()
         .flat_map(|list| (0..size / 2).map(move |shift| (list, shift)))
         .map(|(list, shift)| {
-            let place = |column: usize| column.checked_sub(shift).and_then(|place| list.get(place));
-            (0..size).map(|column| place(column).cloned().unwrap_or_else(|| letters.zero())).collect()
+            let entry = |column: usize| column.checked_sub(shift).and_then(|index| list.get(index));
+            (0..size).map(|column| entry(column).cloned().unwrap_or_else(|| letters.zero())).collect()
         })
         .collect();
     let determinant = determinant(letters, &rows);
@@ -49,7 +49,7 @@ fn determinant(letters: &Letters, rows: &[Vec<Sum>]) -> Sum {
             .map(|row| {
                 row.iter()
                     .enumerate()
-                    .filter(|(place, _)| *place != column)
+                    .filter(|(index, _)| *index != column)
                     .map(|(_, it)| it.clone())
                     .collect()
             })

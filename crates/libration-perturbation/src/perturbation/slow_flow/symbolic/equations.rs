@@ -24,7 +24,7 @@ impl Setting {
         let mut accelerations = self.accelerations(&mut reader, equation)?;
         let springs = self.springs(&accelerations)?;
         let (harmonics, drive_harmonic) = self.harmonics(&springs)?;
-        let wave = letters.place(Column::Wave);
+        let wave = letters.index(Column::Wave);
         for acceleration in &mut accelerations {
             *acceleration = letters.changed(acceleration, |powers, factor| {
                 powers[wave] *= drive_harmonic;
@@ -99,7 +99,7 @@ impl Setting {
     /// Returns `true` if the symbol of the drive frequency is also one of the natural frequencies.
     pub(super) fn is_drive_natural(&self, equation: &Equation) -> Result<bool, Error> {
         let accelerations = self.accelerations(&mut self.reader(equation, 1), equation)?;
-        let drive = self.letters.place(Column::Drive);
+        let drive = self.letters.index(Column::Drive);
         let mut linear =
             accelerations.iter().enumerate().map(|(coordinate, sum)| self.linear(sum, coordinate));
         Ok(linear.any(|spring| spring.half_powers().any(|(powers, _)| powers[drive] != 0)))
@@ -148,9 +148,9 @@ impl Setting {
     fn springs(&self, accelerations: &[Sum]) -> Result<Vec<Sum>, Error> {
         let letters = &self.letters;
         let spring = |(coordinate, acceleration): (usize, &Sum)| {
-            let place = letters.place_of(Column::Position, coordinate);
+            let position = letters.index_of(Column::Position, coordinate);
             let linear = letters.scaled(&self.linear(acceleration, coordinate), &Rational::from(-1));
-            let square = letters.times(&linear, &letters.power_at(place, -1));
+            let square = letters.times(&linear, &letters.power_at(position, -1));
             let is_negative = square.as_single_term().is_some_and(|(_, factor)| factor.is_negative());
             if square.is_zero() || is_negative {
                 Err(Error::NoOscillation(square.to_string()))
@@ -175,10 +175,10 @@ impl Setting {
 
     /// Natural powers of the drive frequency and of the small parameters.
     fn is_polynomial(&self, acceleration: &Sum) -> bool {
-        let places = [Column::Drive, Column::Order].map(|column| self.letters.place(column));
+        let columns = [Column::Drive, Column::Order].map(|column| self.letters.index(column));
         acceleration
             .half_powers()
-            .all(|(powers, _)| places.iter().all(|&place| powers[place] >= 0 && powers[place] % 2 == 0))
+            .all(|(powers, _)| columns.iter().all(|&column| powers[column] >= 0 && powers[column] % 2 == 0))
     }
 
     /// W − (p/q)·ω0 for the first coordinate, the detuning of the natural frequency for another: σ, times the small parameter if there is one.
@@ -186,8 +186,8 @@ impl Setting {
         let letters = &self.letters;
         let factor = self
             .bookkeeping
-            .map_or_else(|| letters.number(Rational::from(1)), |place| letters.power_at(place, 1));
-        let sigma = letters.power_at(letters.place_of(Column::Detuning, coordinate), 1);
+            .map_or_else(|| letters.number(Rational::from(1)), |column| letters.power_at(column, 1));
+        let sigma = letters.power_at(letters.index_of(Column::Detuning, coordinate), 1);
         letters.times(&letters.times(&sigma, &letters.power(Column::Order, order)), &factor)
     }
 
@@ -207,13 +207,14 @@ impl Setting {
     /// The terms of order zero that are linear in a displacement, without others, velocities and waves.
     fn linear(&self, sum: &Sum, coordinate: usize) -> Sum {
         let letters = &self.letters;
-        let own = letters.place_of(Column::Position, coordinate);
+        let position = letters.index_of(Column::Position, coordinate);
         let mut moving = [Column::Order, Column::Wave, Column::PositionSign, Column::VelocitySign]
-            .map(|it| letters.place(it))
+            .map(|it| letters.index(it))
             .to_vec();
-        moving.extend([Column::Position, Column::Velocity].map(|it| letters.places(it)).concat());
-        letters
-            .part(sum, |powers| moving.iter().all(|&place| powers[place] == if place == own { 2 } else { 0 }))
+        moving.extend([Column::Position, Column::Velocity].map(|it| letters.indices(it)).concat());
+        letters.part(sum, |powers| {
+            moving.iter().all(|&column| powers[column] == if column == position { 2 } else { 0 })
+        })
     }
 
     /// Distributes the accelerations with detunings of this order, and returns the symbols of the drive that does not contain displacements.
@@ -226,13 +227,13 @@ impl Setting {
             .map(|coordinate| self.rest(forced, equations, coordinate, grade))
             .collect();
         let degree = self.degree();
-        let order = letters.place(Column::Order);
+        let order = letters.index(Column::Order);
         // Without a small factor a term is small because the amplitude is, and then powers of the amplitude count everywhere.
         let by_amplitude = self.large_degrees(equations).next().is_some();
         if equations.known_degree.is_some() && !by_amplitude {
             return Err(Error::EndlessSeries);
         }
-        let (wave, signs) = (letters.place(Column::Wave), self.signs());
+        let (wave, signs) = (letters.index(Column::Wave), self.signs());
         let mut drives = vec![];
         forced.terms.clear();
         for (coordinate, rest) in rests.iter().enumerate() {
@@ -244,7 +245,7 @@ impl Setting {
             });
             let large = letters.of_order(&graded, 0);
             let is_still =
-                |powers: &[i64]| degree(powers) == 0 && signs.iter().all(|&place| powers[place] == 0);
+                |powers: &[i64]| degree(powers) == 0 && signs.iter().all(|&column| powers[column] == 0);
             let waves = letters.part(&large, |powers| is_still(powers) && powers[wave] != 0);
             self.refuse_large(&letters.subtract(&large, &waves), &degree)?;
             forced.drives[coordinate] = waves;
@@ -252,7 +253,7 @@ impl Setting {
             let driving = letters.part(&graded, |powers| degree(powers) == 0 && powers[wave] != 0);
             drives.extend(
                 (0..letters.given)
-                    .filter(|&place| driving.half_powers().any(|(powers, _)| powers[place] > 0)),
+                    .filter(|&column| driving.half_powers().any(|(powers, _)| powers[column] > 0)),
             );
         }
         if forced.terms.iter().all(Vec::is_empty) && forced.detuning.is_zero() {
@@ -279,14 +280,15 @@ impl Setting {
         let detuning = self.detuning(coordinate, grade);
         let twice = letters.scaled(&forced.natural_frequency(coordinate), &Rational::from(2));
         let excess = letters.times(&letters.add(&twice, &detuning), &detuning);
-        let position = letters.power_at(letters.place_of(Column::Position, coordinate), 1);
+        let position = letters.power_at(letters.index_of(Column::Position, coordinate), 1);
         letters.subtract(&rest, &letters.times(&excess, &position))
     }
 
     /// The degree of a term in displacements and velocities.
     fn degree(&self) -> impl Fn(&[i64]) -> i64 + use<> {
-        let places = [Column::Position, Column::Velocity].map(|column| self.letters.places(column)).concat();
-        move |powers| places.iter().map(|&place| powers[place]).sum::<i64>() / 2
+        let columns =
+            [Column::Position, Column::Velocity].map(|column| self.letters.indices(column)).concat();
+        move |powers| columns.iter().map(|&column| powers[column]).sum::<i64>() / 2
     }
 
     /// The degrees of nonlinear terms without a small parameter, each with `true` if the sign of a displacement or velocity is a factor.
@@ -294,11 +296,11 @@ impl Setting {
         &self,
         equations: &'a Equations,
     ) -> impl Iterator<Item = (i64, bool)> + use<'a> {
-        let (degree, order, signs) = (self.degree(), self.letters.place(Column::Order), self.signs());
+        let (degree, order, signs) = (self.degree(), self.letters.index(Column::Order), self.signs());
         let terms =
             equations.accelerations.iter().flat_map(|sum| sum.half_powers().map(|(powers, _)| &powers[..]));
         terms.filter(move |powers| powers[order] == 0).filter_map(move |powers| {
-            let is_kinked = signs.iter().any(|&place| powers[place] != 0);
+            let is_kinked = signs.iter().any(|&column| powers[column] != 0);
             Some((degree(powers), is_kinked)).filter(|(degree, _)| *degree >= 2)
         })
     }
@@ -308,35 +310,35 @@ impl Setting {
         &self,
         equations: &'a Equations,
     ) -> impl Iterator<Item = (i64, bool)> + use<'a> {
-        let known = equations.known_degree.and_then(|degree| i64::try_from(degree).ok());
-        let is_known = move |degree: i64| known.is_none_or(|known| degree <= known);
+        let limit = equations.known_degree.and_then(|degree| i64::try_from(degree).ok());
+        let is_known = move |degree: i64| limit.is_none_or(|highest| degree <= highest);
         self.large_degrees(equations).filter(move |(degree, _)| is_known(*degree))
     }
 
     /// The order at which all nonlinear terms without a small parameter act on amplitude or phase: one of odd degree d, or with a sign, at its own
     /// order d − 1, one of even degree at the square of that.
     fn acting_order(&self, equations: &Equations) -> Option<i64> {
-        let own = |(degree, is_kinked): (i64, bool)| match is_kinked || degree % 2 == 1 {
+        let order_of = |(degree, is_kinked): (i64, bool)| match is_kinked || degree % 2 == 1 {
             true => degree - 1,
             false => 2 * (degree - 1),
         };
-        self.known_degrees(equations).map(own).max()
+        self.known_degrees(equations).map(order_of).max()
     }
 
     fn signs(&self) -> [usize; 2] {
-        [Column::PositionSign, Column::VelocitySign].map(|column| self.letters.place(column))
+        [Column::PositionSign, Column::VelocitySign].map(|column| self.letters.index(column))
     }
 
     /// Refuses terms of order zero other than the spring and the drive.
     fn refuse_large(&self, large: &Sum, degree: &impl Fn(&[i64]) -> i64) -> Result<(), Error> {
         let letters = &self.letters;
         let Some((powers, _)) = large.half_powers().next() else { return Ok(()) };
-        let term = letters.part(large, |own| own == &powers[..]);
+        let term = letters.part(large, |other| other == &powers[..]);
         let text = letters.changed(&term, |powers, factor| {
-            powers[letters.place(Column::Order)..].fill(0);
+            powers[letters.index(Column::Order)..].fill(0);
             factor.clone()
         });
-        Err(match (degree(powers), powers[letters.place(Column::Wave)]) {
+        Err(match (degree(powers), powers[letters.index(Column::Wave)]) {
             (0, _) => Error::Equilibrium(text.to_string()),
             (_, 0) => Error::NotSmall(text.to_string()),
             _ => Error::ParametricNotSmall(text.to_string()),
@@ -396,24 +398,24 @@ pub(super) struct Found {
 
 /// The terms by powers of displacements and velocities, the signs of the first, and their orders.
 pub(super) fn terms(letters: &Letters, sum: &Sum) -> Vec<SmallForceTerm> {
-    let grade = letters.place(Column::Order);
-    let signs = [Column::PositionSign, Column::VelocitySign].map(|column| letters.place(column));
+    let grade = letters.index(Column::Order);
+    let signs = [Column::PositionSign, Column::VelocitySign].map(|column| letters.index(column));
     let mut columns: Vec<usize> = (0..letters.coordinates)
         .flat_map(|coordinate| {
-            [Column::Position, Column::Velocity].map(|column| letters.place_of(column, coordinate))
+            [Column::Position, Column::Velocity].map(|column| letters.index_of(column, coordinate))
         })
         .collect();
     let moving = columns.len();
     columns.extend(signs);
-    let key = |powers: &[i64]| columns.iter().chain([&grade]).map(|&place| powers[place] / 2).collect();
+    let key = |powers: &[i64]| columns.iter().chain([&grade]).map(|&column| powers[column] / 2).collect();
     let mut keys: Vec<Vec<i64>> = sum.half_powers().map(|(powers, _)| key(powers)).collect();
     keys.sort_unstable();
     keys.dedup();
     let term = |wanted: Vec<i64>| {
-        let own = letters.part(sum, |powers| key(powers) == wanted);
-        let coefficient = letters.changed(&own, |powers, factor| {
-            for &place in &columns {
-                powers[place] = 0;
+        let part = letters.part(sum, |powers| key(powers) == wanted);
+        let coefficient = letters.changed(&part, |powers, factor| {
+            for &column in &columns {
+                powers[column] = 0;
             }
             factor.clone()
         });

@@ -72,10 +72,10 @@ impl FormulaSums {
             .collect();
         let given = values.len();
         values.resize(self.omega0.letters().len(), 1.0);
-        let place = |column: Column| given + column as usize;
-        values[place(Column::Pi)] = PI;
+        let index = |column: Column| given + column as usize;
+        values[index(Column::Pi)] = PI;
         if let Some(square) = &self.square {
-            values[place(Column::Natural)] = libm::sqrt(number(square, &values));
+            values[index(Column::Natural)] = libm::sqrt(number(square, &values));
         }
         let drive = match &self.drive {
             Some(DriveFrequency::Number(number)) => Some(number.to_f64()),
@@ -88,7 +88,7 @@ impl FormulaSums {
         if !missing.is_empty() {
             return Err(missing);
         }
-        values[place(Column::Detuning)] = drive.map_or(0.0, |drive| {
+        values[index(Column::Detuning)] = drive.map_or(0.0, |drive| {
             let [p, q] = [self.resonance.0, self.resonance.1].map(double);
             (drive - p / q * number(&self.omega0, &values)) / number(&self.unit, &values)
         });
@@ -109,7 +109,7 @@ impl SlowFlowAt<'_> {
     /// σ.
     #[must_use]
     pub fn detuning(&self) -> f64 {
-        self.values[self.place(Column::Detuning)]
+        self.values[self.index(Column::Detuning)]
     }
 
     /// dA/dt and dφ/dt.
@@ -137,10 +137,10 @@ impl SlowFlowAt<'_> {
         let has_drive = steady.order - dropped >= 2 * steady.coupling - steady.lowest;
         let relation = steady.relation.as_ref().filter(|_| is_known && has_drive)?;
         let values = self.with_amplitude(1.0);
-        let place = self.place(Column::Amplitude);
+        let column = self.index(Column::Amplitude);
         let mut coefficients = vec![];
         for (powers, factor) in self.to_order(relation, self.higher_orders() - dropped) {
-            let power = usize::try_from(powers[place] / 2).ok()?;
+            let power = usize::try_from(powers[column] / 2).ok()?;
             if coefficients.len() <= power {
                 coefficients.resize(power + 1, 0.0);
             }
@@ -157,7 +157,7 @@ impl SlowFlowAt<'_> {
         let Some(relation) = &steady.relation else { return true };
         let values = self.with_amplitude(state.amplitude);
         let [amplitude, detuning, order] =
-            [Column::Amplitude, Column::Detuning, Column::Order].map(|column| self.place(column));
+            [Column::Amplitude, Column::Detuning, Column::Order].map(|column| self.index(column));
         let least = self.to_order(relation, 0).map(|(powers, _)| powers[amplitude]).min().unwrap_or(0);
         let is_first = |powers: &[i64]| {
             let is_level = powers[detuning] == 0 && powers[amplitude] <= least;
@@ -198,7 +198,7 @@ impl SlowFlowAt<'_> {
         sum: &'s Sum,
         highest: i64,
     ) -> impl Iterator<Item = (&'s [i64], &'s Rational)> + use<'s> {
-        let grade = self.place(Column::Order);
+        let grade = self.index(Column::Order);
         let terms = sum.half_powers().map(|(powers, factor)| (&powers[..], factor));
         terms.filter(move |(powers, _)| powers[grade] <= 2 * highest)
     }
@@ -222,11 +222,11 @@ impl SlowFlowAt<'_> {
 
     fn with_amplitude(&self, amplitude: f64) -> Vec<f64> {
         let mut values = self.values.clone();
-        values[self.place(Column::Amplitude)] = amplitude;
+        values[self.index(Column::Amplitude)] = amplitude;
         values
     }
 
-    fn place(&self, column: Column) -> usize {
+    fn index(&self, column: Column) -> usize {
         self.sums.symbols.len() + column as usize
     }
 }
@@ -256,8 +256,8 @@ impl Letters {
     /// The unit of σ: the detuning without σ and orders.
     pub(super) fn unit(&self, detuning: &Sum) -> Sum {
         self.changed(detuning, |powers, factor| {
-            powers[self.place(Column::Detuning)] = 0;
-            powers[self.place(Column::Order)] = 0;
+            powers[self.index(Column::Detuning)] = 0;
+            powers[self.index(Column::Order)] = 0;
             factor.clone()
         })
     }

@@ -50,14 +50,14 @@ impl DriveFrequency {
         symbols.sort();
         symbols.dedup();
         let Some(first) = rates.first() else { return Ok(None) };
-        let found = match (symbols.as_slice(), numbers.iter().min()) {
+        let drive = match (symbols.as_slice(), numbers.iter().min()) {
             ([one], None) => Some(Self::Symbol(one.clone())),
             ([], Some(smallest)) => Some(Self::Number(smallest.clone())),
             _ => None,
         };
         let opposite = Expression::Negate(Box::new(first.clone())).simplified();
-        match found.filter(|found| rates.iter().all(|rate| found.multiple(rate).is_some())) {
-            Some(found) => Ok(Some(found)),
+        match drive.filter(|frequency| rates.iter().all(|rate| frequency.multiple(rate).is_some())) {
+            Some(frequency) => Ok(Some(frequency)),
             None if rates.iter().all(|rate| rate == first || *rate == opposite) => {
                 Err(Error::DriveFrequency(first.to_string()))
             }
@@ -127,20 +127,20 @@ impl Reader<'_> {
     fn symbol(&self, symbol: &Symbol) -> Result<Sum, Error> {
         if let Some(coordinate) = self.variables.iter().position(|name| *name == symbol.name) {
             let column = if symbol.primes == 0 { Column::Position } else { Column::Velocity };
-            let moving = self.letters.power_at(self.letters.place_of(column, coordinate), 1);
+            let moving = self.letters.power_at(self.letters.index_of(column, coordinate), 1);
             return Ok(match &self.equilibrium {
                 Some(equilibrium) if symbol.primes == 0 => self.letters.add(equilibrium, &moving),
                 _ => moving,
             });
         }
-        let known = self.symbols.iter().find(|(name, ..)| *name == symbol.name);
-        if let (None, Some(DriveFrequency::Symbol(name))) = (known, self.drive)
+        let entry = self.symbols.iter().find(|(name, ..)| *name == symbol.name);
+        if let (None, Some(DriveFrequency::Symbol(name))) = (entry, self.drive)
             && *name == symbol.name
         {
             return Ok(self.letters.power(Column::Drive, 1));
         }
-        let (_, place, order) = known.ok_or_else(|| Error::NotPolynomial(symbol.name.clone()))?;
-        Ok(self.letters.times(&self.letters.power_at(*place, 1), &self.letters.power(Column::Order, *order)))
+        let (_, column, order) = entry.ok_or_else(|| Error::NotPolynomial(symbol.name.clone()))?;
+        Ok(self.letters.times(&self.letters.power_at(*column, 1), &self.letters.power(Column::Order, *order)))
     }
 
     fn raised(&self, base: &Expression, exponent: &Expression) -> Result<Sum, Error> {
@@ -189,13 +189,13 @@ impl Reader<'_> {
     fn kink(&self, function: Function, argument: &Sum) -> Option<Sum> {
         let letters = self.letters;
         let (powers, factor) = argument.as_single_term()?;
-        let kinked = [Column::Position, Column::Velocity].map(|it| powers[letters.place(it)]);
+        let kinked = [Column::Position, Column::Velocity].map(|it| powers[letters.index(it)]);
         let sign = match kinked {
             [2, 0] => Column::PositionSign,
             [0, 2] => Column::VelocitySign,
             _ => return None,
         };
-        if powers[letters.place(Column::Wave)] != 0 || powers[letters.place(Column::Imaginary)] != 0 {
+        if powers[letters.index(Column::Wave)] != 0 || powers[letters.index(Column::Imaginary)] != 0 {
             return None;
         }
         let size = Rational::from(if factor.is_negative() { -1 } else { 1 });
@@ -207,8 +207,8 @@ impl Reader<'_> {
     fn fractional_power(&self, base: &Sum, exponent: &Rational) -> Option<Sum> {
         let letters = self.letters;
         let moving = self.moving();
-        let order = letters.place(Column::Order);
-        let is_still = |powers: &[i64]| moving.iter().all(|&place| powers[place] == 0);
+        let order = letters.index(Column::Order);
+        let is_still = |powers: &[i64]| moving.iter().all(|&column| powers[column] == 0);
         let still = letters.part(base, |powers| powers[order] == 0 && is_still(powers));
         // The order of a constant product is one of its powers.
         let constant = if still.is_zero() { base.clone() } else { still };
@@ -243,9 +243,9 @@ impl Reader<'_> {
     /// Σ cₙ·uⁿ of a sum whose terms are small, by their orders or as displacements or velocities.
     fn small_series(&self, series: impl Iterator<Item = Rational>, argument: &Sum) -> Option<Sum> {
         let letters = self.letters;
-        let order = letters.place(Column::Order);
-        let moving = [Column::Position, Column::Velocity].map(|column| letters.places(column)).concat();
-        let degree = |powers: &[i64]| moving.iter().map(|&place| powers[place]).sum::<i64>();
+        let order = letters.index(Column::Order);
+        let moving = [Column::Position, Column::Velocity].map(|column| letters.indices(column)).concat();
+        let degree = |powers: &[i64]| moving.iter().map(|&column| powers[column]).sum::<i64>();
         let is_graded = argument.half_powers().all(|(powers, _)| powers[order] > 0);
         if argument.half_powers().any(|(powers, _)| powers[order] <= 0 && degree(powers) <= 0) {
             return None;
@@ -265,11 +265,10 @@ impl Reader<'_> {
 
     /// The columns of variables.
     fn moving(&self) -> Vec<usize> {
-        let own =
+        let columns =
             [Column::Drive, Column::Wave, Column::Imaginary, Column::PositionSign, Column::VelocitySign];
-        let mut places: Vec<usize> = own.map(|column| self.letters.place(column)).to_vec();
-        places
-            .extend([Column::Position, Column::Velocity].map(|column| self.letters.places(column)).concat());
-        places
+        let mut all: Vec<usize> = columns.map(|column| self.letters.index(column)).to_vec();
+        all.extend([Column::Position, Column::Velocity].map(|column| self.letters.indices(column)).concat());
+        all
     }
 }

@@ -12,7 +12,7 @@ use libration_numbers::algebra::Rational;
 impl Setting {
     /// The highest order that small parameters give a term.
     pub(super) fn stated_order(&self, equations: &Equations) -> Option<i64> {
-        let order = self.letters.place(Column::Order);
+        let order = self.letters.index(Column::Order);
         let powers =
             equations.accelerations.iter().flat_map(|sum| sum.half_powers().map(|(powers, _)| powers));
         powers.map(|powers| powers[order] / 2).filter(|order| *order > 0).max()

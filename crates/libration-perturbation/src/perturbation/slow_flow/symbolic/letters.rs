@@ -75,8 +75,8 @@ impl Letters {
         [natural, detuning, amplitude]: [&str; 3],
         further: &[[String; 2]],
     ) -> Self {
-        let own = [natural, "pi", detuning, amplitude].map(str::to_owned);
-        let mut names: Vec<String> = symbols.iter().cloned().chain(own).collect();
+        let columns = [natural, "pi", detuning, amplitude].map(str::to_owned);
+        let mut names: Vec<String> = symbols.iter().cloned().chain(columns).collect();
         names.resize(symbols.len() + COLUMNS, String::new());
         for names_of_coordinate in further {
             names.extend(names_of_coordinate.iter().cloned());
@@ -85,22 +85,22 @@ impl Letters {
         Self { ring: LaurentPolynomials::new(names), given: symbols.len(), coordinates: 1 + further.len() }
     }
 
-    pub(super) fn place(&self, column: Column) -> usize {
+    pub(super) fn index(&self, column: Column) -> usize {
         self.given + column as usize
     }
 
     /// The index of a column of a coordinate; that of waves is for e^{iφ} in the further coordinates.
-    pub(super) fn place_of(&self, column: Column, coordinate: usize) -> usize {
-        let own = OF_COORDINATE.iter().position(|it| *it == column);
-        match (coordinate.checked_sub(1), own) {
-            (Some(further), Some(own)) => self.given + COLUMNS + further * OF_COORDINATE.len() + own,
-            _ => self.place(column),
+    pub(super) fn index_of(&self, column: Column, coordinate: usize) -> usize {
+        let among_further = OF_COORDINATE.iter().position(|it| *it == column);
+        match (coordinate.checked_sub(1), among_further) {
+            (Some(further), Some(offset)) => self.given + COLUMNS + further * OF_COORDINATE.len() + offset,
+            _ => self.index(column),
         }
     }
 
     /// The indices of a column in all coordinates.
-    pub(super) fn places(&self, column: Column) -> Vec<usize> {
-        (0..self.coordinates).map(|coordinate| self.place_of(column, coordinate)).collect()
+    pub(super) fn indices(&self, column: Column) -> Vec<usize> {
+        (0..self.coordinates).map(|coordinate| self.index_of(column, coordinate)).collect()
     }
 
     fn width(&self) -> usize {
@@ -117,13 +117,13 @@ impl Letters {
 
     /// A column to a power.
     pub(super) fn power(&self, column: Column, exponent: i64) -> Sum {
-        self.power_at(self.place(column), exponent)
+        self.power_at(self.index(column), exponent)
     }
 
     /// A symbol of the equation, or another column by its index, to a power.
-    pub(super) fn power_at(&self, place: usize, exponent: i64) -> Sum {
+    pub(super) fn power_at(&self, column: usize, exponent: i64) -> Sum {
         let mut powers = vec![0; self.width()];
-        powers[place] = 2 * exponent;
+        powers[column] = 2 * exponent;
         self.ring.term(powers.into(), Rational::from(1))
     }
 
@@ -141,7 +141,7 @@ impl Letters {
         if a.is_beyond_limit() || b.is_beyond_limit() || terms(a).saturating_mul(terms(b)) > MOST_PRODUCTS {
             return self.beyond_limit();
         }
-        let grade = self.place(Column::Order);
+        let grade = self.index(Column::Order);
         let pairs = a.half_powers().flat_map(|(x, p)| b.half_powers().map(move |(y, q)| (x, p, y, q)));
         let kept = pairs.filter(|(x, _, y, _)| x[grade] + y[grade] <= 2 * order);
         self.ring.sum_of_terms(kept.map(|(x, p, y, q)| {
@@ -172,7 +172,7 @@ impl Letters {
         a.as_single_term()?;
         let inverse = self.ring.power(a, &Rational::from(-1))?;
         Some(self.changed(&inverse, |powers, factor| {
-            let imaginary = &mut powers[self.place(Column::Imaginary)];
+            let imaginary = &mut powers[self.index(Column::Imaginary)];
             let is_imaginary = *imaginary != 0;
             *imaginary = imaginary.abs();
             if is_imaginary { -factor.clone() } else { factor.clone() }
@@ -202,13 +202,13 @@ impl Letters {
 
     /// The part of one order.
     pub(super) fn of_order(&self, a: &Sum, order: i64) -> Sum {
-        let grade = self.place(Column::Order);
+        let grade = self.index(Column::Order);
         self.part(a, |powers| powers[grade] == 2 * order)
     }
 
     /// The part up to an order.
     pub(super) fn to_order(&self, a: &Sum, order: i64) -> Sum {
-        let grade = self.place(Column::Order);
+        let grade = self.index(Column::Order);
         self.part(a, |powers| powers[grade] <= 2 * order)
     }
 
@@ -219,33 +219,34 @@ impl Letters {
 
     /// The exponents with which a column occurs, rising; those that are not whole are rounded down.
     pub(super) fn exponents(&self, a: &Sum, column: Column) -> Vec<i64> {
-        let place = self.place(column);
-        let mut found: Vec<i64> = a.half_powers().map(|(powers, _)| powers[place].div_euclid(2)).collect();
-        found.sort_unstable();
-        found.dedup();
-        found
+        let index = self.index(column);
+        let mut exponents: Vec<i64> =
+            a.half_powers().map(|(powers, _)| powers[index].div_euclid(2)).collect();
+        exponents.sort_unstable();
+        exponents.dedup();
+        exponents
     }
 
     /// The coefficient of a power of a column.
     pub(super) fn coefficient(&self, a: &Sum, column: Column, exponent: i64) -> Sum {
-        let place = self.place(column);
-        let such = self.part(a, |powers| powers[place] == 2 * exponent);
+        let index = self.index(column);
+        let such = self.part(a, |powers| powers[index] == 2 * exponent);
         self.changed(&such, |powers, factor| {
-            powers[place] = 0;
+            powers[index] = 0;
             factor.clone()
         })
     }
 
     /// The derivative with respect to a column.
     pub(super) fn derivative(&self, a: &Sum, column: Column) -> Sum {
-        self.derivative_at(a, self.place(column))
+        self.derivative_at(a, self.index(column))
     }
 
     /// The derivative with respect to a column by its index.
-    pub(super) fn derivative_at(&self, a: &Sum, place: usize) -> Sum {
+    pub(super) fn derivative_at(&self, a: &Sum, column: usize) -> Sum {
         self.changed(a, |powers, factor| {
-            let exponent = Rational::new(powers[place], 2).unwrap_or_else(|| Rational::from(0));
-            powers[place] -= 2;
+            let exponent = Rational::new(powers[column], 2).unwrap_or_else(|| Rational::from(0));
+            powers[column] -= 2;
             exponent * factor.clone()
         })
     }
@@ -267,7 +268,7 @@ impl Letters {
 
     /// The sum as a formula, orders left out.
     pub(super) fn text(&self, a: &Sum) -> String {
-        let grade = self.place(Column::Order);
+        let grade = self.index(Column::Order);
         let plain = self.changed(a, |powers, factor| {
             powers[grade] = 0;
             factor.clone()
@@ -277,8 +278,8 @@ impl Letters {
 
     /// The complex conjugate.
     pub(super) fn conjugate(&self, a: &Sum) -> Sum {
-        let [wave, imaginary] = [Column::Wave, Column::Imaginary].map(|it| self.place(it));
-        let [phasors, conjugates] = [Column::Phasor, Column::Conjugate].map(|it| self.places(it));
+        let [wave, imaginary] = [Column::Wave, Column::Imaginary].map(|it| self.index(it));
+        let [phasors, conjugates] = [Column::Phasor, Column::Conjugate].map(|it| self.indices(it));
         self.changed(a, |powers, factor| {
             for (&z, &conjugate) in phasors.iter().zip(&conjugates) {
                 powers.swap(z, conjugate);
@@ -296,9 +297,9 @@ impl Letters {
     /// `true` if i² = −1 changes the sign.
     fn reduce(&self, powers: &mut [i64]) -> bool {
         for sign in [Column::PositionSign, Column::VelocitySign] {
-            powers[self.place(sign)] %= 4;
+            powers[self.index(sign)] %= 4;
         }
-        let imaginary = &mut powers[self.place(Column::Imaginary)];
+        let imaginary = &mut powers[self.index(Column::Imaginary)];
         let is_square = *imaginary == 4;
         *imaginary %= 4;
         is_square

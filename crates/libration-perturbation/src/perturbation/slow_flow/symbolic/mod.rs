@@ -159,12 +159,12 @@ pub fn slow_flow_steps(
     }
     for order in 1..=MAX_SYMBOLIC_SLOW_ORDER {
         let options = SymbolicSlowFlowOptions { order: Some(order), ..options.clone() };
-        let collected = |setting: &Setting, forced: &Forced<'_>, found: &_, solved: &Solved, order| {
+        let collected = |setting: &Setting, forced: &Forced<'_>, properties: &_, solved: &Solved, order| {
             let letters = forced.letters;
-            let detuning = letters.place(Column::Detuning);
+            let detuning = letters.index(Column::Detuning);
             let is_bare = |powers: &[i64]| powers[detuning] == 0;
             let acts = !letters.part(&solved.rates[0], is_bare).is_zero();
-            acts.then(|| steps::steps(setting, forced, found, solved, (equation, order)))
+            acts.then(|| steps::steps(setting, forced, properties, solved, (equation, order)))
         };
         if let Some(steps) = answered(equation, &options, progress, collected)? {
             return Ok(steps);
@@ -178,9 +178,13 @@ impl Setting {
     fn default_order(&self, equation: &Equation, watch: &Watch<'_>) -> Result<i64, SymbolicSlowFlowError> {
         let stated = self.highest_order();
         let first = stated.unwrap_or(0).max(2);
-        let (forced, found) = self.forced(equation, first, watch)?;
-        let order =
-            stated.into_iter().chain(found.acting_order).chain(found.stated_order).max().unwrap_or(first);
+        let (forced, properties) = self.forced(equation, first, watch)?;
+        let order = stated
+            .into_iter()
+            .chain(properties.acting_order)
+            .chain(properties.stated_order)
+            .max()
+            .unwrap_or(first);
         let most = i64::try_from(MAX_SYMBOLIC_SLOW_ORDER).unwrap_or(order);
         Ok(forced.highest_order().unwrap_or(order).min(order).min(most))
     }
@@ -203,7 +207,7 @@ fn answered<R>(
     if !(1..=MAX_SYMBOLIC_SLOW_ORDER).contains(&asked) {
         return Err(SymbolicSlowFlowError::Order(asked));
     }
-    let (forced, found) = setting.forced(equation, order, &watch)?;
+    let (forced, properties) = setting.forced(equation, order, &watch)?;
     let solved = forced.solve(order, &watch)?;
-    Ok(collected(&setting, &forced, &found, &solved, order))
+    Ok(collected(&setting, &forced, &properties, &solved, order))
 }

@@ -96,7 +96,7 @@ fn missing(obstacle: Obstacle, state: &SteadyState, steady: &Steady) -> Vec<&'st
 
 /// The reason why the largest amplitude of a curve is infinite or not given.
 pub(super) fn peak_note(curve: &ResponseCurve<'_>, backbone: Option<&Sum>, steady: &Steady) -> String {
-    let amplitude = curve.letters.place(Column::Amplitude);
+    let amplitude = curve.letters.index(Column::Amplitude);
     let is_level =
         |backbone: &Sum| curve.on_ridge(backbone).half_powers().all(|(powers, _)| powers[amplitude] == 0);
     let reason = match backbone {

@@ -21,9 +21,9 @@ impl PhaseSum {
             let turned = |a: &Sum, factor: &Rational| letters.scaled(a, factor);
             let opposite = Rational::from(-k.signum());
             let add = |part: &mut BTreeMap<i64, [Sum; 2]>, cosine: Sum, sine: Sum| {
-                let place = part.entry(k.abs()).or_insert_with(|| [letters.zero(), letters.zero()]);
-                place[0] = letters.add(&place[0], &cosine);
-                place[1] = letters.add(&place[1], &sine);
+                let pair = part.entry(k.abs()).or_insert_with(|| [letters.zero(), letters.zero()]);
+                pair[0] = letters.add(&pair[0], &cosine);
+                pair[1] = letters.add(&pair[1], &sine);
             };
             add(&mut parts[0], real.clone(), turned(&imaginary, &opposite));
             add(&mut parts[1], imaginary, turned(&real, &sign));

@@ -63,7 +63,7 @@ impl SymbolicSlowFlow {
 pub(super) fn collected(
     setting: &Setting,
     forced: &Forced<'_>,
-    found: &Found,
+    properties: &Found,
     solved: &Solved,
     order: i64,
 ) -> SymbolicSlowFlow {
@@ -73,7 +73,7 @@ pub(super) fn collected(
     let lowest = lowest_order(letters, &rates).unwrap_or(order);
     let is_driven = setting.drive.is_some();
     let steady = SteadyEquations { letters, rates: rates.clone(), order, lowest, is_driven }.solve();
-    let steady_state = steady_state(setting, forced, (&rates, &steady), found, [lowest, order]);
+    let steady_state = steady_state(setting, forced, (&rates, &steady), properties, [lowest, order]);
     let per_amplitude = letters.power(Column::Amplitude, -1);
     let phase = |k: i64| multiple(k, &names.coordinates[0].phase);
     let is_kinked = forced.terms.iter().flatten().any(super::scales::SmallForceTerm::is_kinked);
@@ -84,15 +84,15 @@ pub(super) fn collected(
             .is_some()
             .then_some(setting.resonance)
             .and_then(|(p, q)| Some((u32::try_from(p).ok()?, u32::try_from(q).ok()?))),
-        order_note: found.left_out.clone(),
+        order_note: properties.left_out.clone(),
         natural_frequency: forced.omega0.to_string(),
         drive_frequency: setting.drive.is_some().then(|| drive_frequency(forced, setting.resonance)),
         drive: setting.drive.as_ref().map(drive_name),
-        letters: explained(names, setting, found),
+        letters: explained(names, setting, properties),
         amplitude_rate: rates[0].text(letters, phase),
         phase_rate: rates[1].times(letters, &per_amplitude).text(letters, phase),
-        displacement: displacement(setting, forced, solved, found.equilibrium.as_ref()),
-        equilibrium: found.equilibrium.as_ref().map_or_else(|| "0".to_owned(), ToString::to_string),
+        displacement: displacement(setting, forced, solved, properties.equilibrium.as_ref()),
+        equilibrium: properties.equilibrium.as_ref().map_or_else(|| "0".to_owned(), ToString::to_string),
         displacement_note: is_kinked.then_some("harmonics of forces with abs or sign are left out"),
         steady_state,
         sums: FormulaSums {
@@ -100,7 +100,7 @@ pub(super) fn collected(
             drive: setting.drive.clone(),
             resonance: setting.resonance,
             omega0: forced.omega0.clone(),
-            square: found.natural.clone(),
+            square: properties.natural.clone(),
             unit: letters.unit(&forced.detuning),
             rates,
             steady,
@@ -111,7 +111,7 @@ pub(super) fn collected(
 /// A′ and A·φ′: real and imaginary part of 2z′·e^{−iφ}.
 pub(super) fn rates(letters: &Letters, rate: &Sum) -> [PhaseSum; 2] {
     let [z, conjugate, wave] =
-        [Column::Phasor, Column::Conjugate, Column::Wave].map(|column| letters.place(column));
+        [Column::Phasor, Column::Conjugate, Column::Wave].map(|column| letters.index(column));
     let turned = letters.changed(rate, |powers, factor| {
         powers[wave] = powers[z] - powers[conjugate] - 2;
         factor.clone()
@@ -122,7 +122,7 @@ pub(super) fn rates(letters: &Letters, rate: &Sum) -> [PhaseSum; 2] {
 /// The sum with A/2 in place of each z and z̄.
 pub(super) fn polar(letters: &Letters, sum: &Sum) -> Sum {
     let [phasors, conjugates, amplitudes] =
-        [Column::Phasor, Column::Conjugate, Column::Amplitude].map(|column| letters.places(column));
+        [Column::Phasor, Column::Conjugate, Column::Amplitude].map(|column| letters.indices(column));
     let half = Rational::new(1, 2).unwrap_or_else(|| Rational::from(0));
     letters.changed(sum, |powers, factor| {
         let mut halvings = 0;
@@ -146,12 +146,12 @@ fn steady_state(
     setting: &Setting,
     forced: &Forced<'_>,
     (rates, steady): (&[PhaseSum; 2], &Steady),
-    found: &Found,
+    properties: &Found,
     [lowest, order]: [i64; 2],
 ) -> SteadyState {
     let letters = &setting.letters;
     let is_driven = setting.drive.is_some();
-    let amplitude = letters.place(Column::Amplitude);
+    let amplitude = letters.index(Column::Amplitude);
     let depends_on_amplitude = |sum: &&Sum| sum.half_powers().any(|(powers, _)| powers[amplitude] != 0);
     let text = |sum: &Option<Sum>| sum.as_ref().filter(|sum| is_short(sum)).map(|sum| letters.text(sum));
     let phase = |k: i64| multiple(k, &setting.names.coordinates[0].phase);
@@ -174,7 +174,7 @@ fn steady_state(
     let is_curve = steady.phase.is_some() || steady.obstacle == Some(Obstacle::Sums);
     if let Some(relation) = steady.relation.as_ref().filter(|_| is_curve) {
         let curve = ResponseCurve { letters, relation, order: order - lowest, omega0: &forced.omega0 };
-        describe(&mut state, &curve, &found.drives, steady);
+        describe(&mut state, &curve, &properties.drives, steady);
     }
     if let Some(relation) = relation.as_ref().filter(|_| !is_driven) {
         let curve = ResponseCurve { letters, relation, order: order - lowest, omega0: &forced.omega0 };
@@ -250,7 +250,7 @@ pub(super) fn drive_frequency(forced: &Forced<'_>, (p, q): (i64, i64)) -> String
     format!("{resonant} + {}", letters.text(&forced.detuning))
 }
 
-fn explained(names: &Names, setting: &Setting, found: &Found) -> Vec<(&'static str, String)> {
+fn explained(names: &Names, setting: &Setting, properties: &Found) -> Vec<(&'static str, String)> {
     let mut list = vec![
         ("amplitude", names.coordinates[0].amplitude.clone()),
         ("phase", names.coordinates[0].phase.clone()),
@@ -259,7 +259,7 @@ fn explained(names: &Names, setting: &Setting, found: &Found) -> Vec<(&'static s
         list.push(("detuning", names.detuning.clone()));
         list.push(("drive_frequency", drive_name(drive)));
     }
-    if let Some(natural) = &found.natural {
+    if let Some(natural) = &properties.natural {
         list.push(("natural_frequency", names.natural.clone()));
         list.push(("natural_frequency_value", format!("sqrt({natural})")));
     }
@@ -274,35 +274,35 @@ fn displacement(
     equilibrium: Option<&Sum>,
 ) -> String {
     let letters = forced.letters;
-    let known = &solved.displacements[0];
-    let [z, conjugate] = [Column::Phasor, Column::Conjugate].map(|column| letters.place(column));
+    let motion = &solved.displacements[0];
+    let [z, conjugate] = [Column::Phasor, Column::Conjugate].map(|column| letters.index(column));
     let mut turns: Vec<i64> =
-        known.half_powers().map(|(powers, _)| (powers[z] - powers[conjugate]) / 2).collect();
+        motion.half_powers().map(|(powers, _)| (powers[z] - powers[conjugate]) / 2).collect();
     turns.sort_by_key(|turn| (turn.abs(), -turn));
     turns.dedup();
-    let mut harmonics = letters.exponents(known, Column::Wave);
+    let mut harmonics = letters.exponents(motion, Column::Wave);
     harmonics.retain(|&k| k >= 0);
     let q = forced.harmonics[0];
     harmonics.sort_by_key(|&k| (k != q, k));
     let mut text = equilibrium.map_or_else(String::new, ToString::to_string);
     for k in harmonics {
-        let of_wave = letters.coefficient(known, Column::Wave, k);
+        let of_wave = letters.coefficient(motion, Column::Wave, k);
         for &turn in turns.iter().filter(|&&turn| k > 0 || turn >= 0) {
-            let own = letters.part(&of_wave, |powers| (powers[z] - powers[conjugate]) / 2 == turn);
-            if own.is_zero() {
+            let harmonic = letters.part(&of_wave, |powers| (powers[z] - powers[conjugate]) / 2 == turn);
+            if harmonic.is_zero() {
                 continue;
             }
-            append_wave(&mut text, setting, forced, &own, [k, turn]);
+            append_wave(&mut text, setting, forced, &harmonic, [k, turn]);
         }
     }
     text
 }
 
 /// Appends the real wave of a complex amplitude and its conjugate.
-fn append_wave(text: &mut String, setting: &Setting, forced: &Forced<'_>, own: &Sum, [k, turn]: [i64; 2]) {
+fn append_wave(text: &mut String, setting: &Setting, forced: &Forced<'_>, wave: &Sum, [k, turn]: [i64; 2]) {
     let letters = forced.letters;
     let doubled = if k == 0 && turn == 0 { 1 } else { 2 };
-    let amplitude = letters.scaled(&polar(letters, own), &Rational::from(doubled));
+    let amplitude = letters.scaled(&polar(letters, wave), &Rational::from(doubled));
     let [real, imaginary] = real_and_imaginary(letters, &amplitude);
     let mut angle = fast_angle(setting, forced, k);
     let phase = &setting.names.coordinates[0].phase;

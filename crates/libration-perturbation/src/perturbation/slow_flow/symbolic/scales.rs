@@ -80,7 +80,7 @@ impl Forced<'_> {
     fn unperturbed(&self) -> Result<Vec<Sum>, Error> {
         let letters = self.letters;
         let of_coordinate = |(coordinate, &harmonic): (usize, &i64)| {
-            let phasor = letters.power_at(letters.place_of(Column::Phasor, coordinate), 1);
+            let phasor = letters.power_at(letters.index_of(Column::Phasor, coordinate), 1);
             let free = letters.times(&phasor, &letters.power(Column::Wave, harmonic));
             let free = letters.add(&free, &letters.conjugate(&free));
             let forced = self.response(&self.drives[coordinate], harmonic).ok_or(Error::DriveNotSmall)?;
@@ -92,13 +92,13 @@ impl Forced<'_> {
     /// The motion that a sum of waves forces in a coordinate; `None` if it contains the waves of the free motion.
     fn response(&self, waves: &Sum, harmonic: i64) -> Option<Sum> {
         let letters = self.letters;
-        let (place, q) = (letters.place(Column::Wave), self.harmonics[0]);
+        let (wave, q) = (letters.index(Column::Wave), self.harmonics[0]);
         let square = letters.inverse(&letters.times(&self.omega0, &self.omega0))?;
-        if !letters.part(waves, |powers| powers[place].abs() == 2 * harmonic).is_zero() {
+        if !letters.part(waves, |powers| powers[wave].abs() == 2 * harmonic).is_zero() {
             return None;
         }
         let forced = letters.changed(waves, |powers, factor| {
-            let k = powers[place] / 2;
+            let k = powers[wave] / 2;
             let stiffness = Rational::new(q * q, harmonic * harmonic - k * k);
             factor.clone() * stiffness.unwrap_or_else(|| Rational::from(0))
         });
@@ -204,7 +204,7 @@ impl Forced<'_> {
             for (column, rate) in
                 [(Column::Phasor, rate.clone()), (Column::Conjugate, letters.conjugate(rate))]
             {
-                let slope = letters.derivative_at(of, letters.place_of(column, coordinate));
+                let slope = letters.derivative_at(of, letters.index_of(column, coordinate));
                 sum = letters.add(&sum, &letters.product(&rate, &slope, n));
             }
         }
@@ -214,13 +214,13 @@ impl Forced<'_> {
     /// Adds the solution for the residual of one order in the equation of a coordinate.
     fn extend(&self, solved: &mut Solved, coordinate: usize, residual: &Sum) -> Result<(), Error> {
         let letters = self.letters;
-        let (place, harmonic) = (letters.place(Column::Wave), self.harmonics[coordinate]);
+        let (wave, harmonic) = (letters.index(Column::Wave), self.harmonics[coordinate]);
         let secular = letters.coefficient(residual, Column::Wave, harmonic);
         let double = letters.scaled(&letters.power(Column::Imaginary, 1), &Rational::from(2));
         let inverse = letters.inverse(&letters.times(&double, &self.natural_frequency(coordinate)));
         let rate = letters.times(&secular, &inverse.ok_or(Error::DriveNotSmall)?);
         solved.rates[coordinate] = letters.add(&solved.rates[coordinate], &rate);
-        let rest = letters.part(residual, |powers| powers[place].abs() != 2 * harmonic);
+        let rest = letters.part(residual, |powers| powers[wave].abs() != 2 * harmonic);
         let forced = self.response(&rest, harmonic).ok_or(Error::DriveNotSmall)?;
         solved.displacements[coordinate] = letters.add(&solved.displacements[coordinate], &forced);
         Ok(())
@@ -252,7 +252,7 @@ impl Forced<'_> {
         let letters = self.letters;
         let n = i64::try_from(term.powers[0][0] + term.powers[0][1]).unwrap_or(0);
         let wave = letters.power(Column::Wave, self.harmonics[0]);
-        let [z, conjugate] = [Column::Phasor, Column::Conjugate].map(|column| letters.place(column));
+        let [z, conjugate] = [Column::Phasor, Column::Conjugate].map(|column| letters.index(column));
         let doubled = (0..n).fold(Rational::from(1), |product, _| product * Rational::from(2));
         letters.changed(&wave, |powers, _| {
             powers[z] = n + 1;

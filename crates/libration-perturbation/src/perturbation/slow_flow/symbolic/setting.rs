@@ -82,10 +82,10 @@ impl Setting {
         let letters = Letters::new(&open, [&names.natural, &names.detuning, &first.amplitude], &further);
         let order = |name: &str| small.iter().find(|(other, _)| other == name).map_or(0, |(_, order)| *order);
         let symbols =
-            open.iter().enumerate().map(|(place, name)| (name.clone(), place, order(name))).collect();
+            open.iter().enumerate().map(|(index, name)| (name.clone(), index, order(name))).collect();
         let bookkeeping = (small.len() == 1).then_some(0);
         let stated = small.iter().find(|(name, _)| names.is_detuning(name)).map(|(_, order)| *order);
-        let detuning_order = stated.or_else(|| bookkeeping.map(|place| order(&open[place])));
+        let detuning_order = stated.or_else(|| bookkeeping.map(|index| order(&open[index])));
         let about = options.about.clone().filter(|_| variables.len() == 1);
         Ok(Self { names, letters, drive, resonance, ratios, symbols, bookkeeping, detuning_order, about })
     }

@@ -59,7 +59,7 @@ impl SlowFlowAt<'_> {
         let following = next.and_then(|next| next.zeros(0));
         let is_reached = |state: &SteadySolution| next.is_some_and(|next| next.is_reached(state));
         let previous = (self.higher_orders() > 0).then(|| self.zeros(1)).flatten();
-        let found = all.iter().filter(|state| self.is_reached(state)).map(|state| {
+        let judged = all.iter().filter(|state| self.is_reached(state)).map(|state| {
             let matching =
                 |others: &Option<Vec<SteadySolution>>| self.matching(state, &all, others.as_deref()?);
             let later = matching(&following);
@@ -73,7 +73,7 @@ impl SlowFlowAt<'_> {
                 is_stable: (is_agreed && !is_centre).then_some(state.is_stable),
             }
         });
-        Some(SteadyStates { found: found.collect(), left_out: self.left_out(&all) })
+        Some(SteadyStates { found: judged.collect(), left_out: self.left_out(&all) })
     }
 
     fn left_out(&self, all: &[SteadySolution]) -> Vec<StateLeftOut> {

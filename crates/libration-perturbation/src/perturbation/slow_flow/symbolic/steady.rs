@@ -125,8 +125,8 @@ impl SteadyEquations<'_> {
     /// The formulas that remain where the lowest order is not solved for cos mφ and sin mφ.
     fn without_inverse(&self, m: i64, rates: &[Sum; 2], matrix: &Coupling, coupling: i64) -> Steady {
         let letters = self.letters;
-        let places = [Column::Cosine, Column::Sine].map(|column| letters.place(column));
-        let is_linear = |powers: &[i64]| places.iter().map(|&place| powers[place]).sum::<i64>() <= 2;
+        let columns = [Column::Cosine, Column::Sine].map(|column| letters.index(column));
+        let is_linear = |powers: &[i64]| columns.iter().map(|&column| powers[column]).sum::<i64>() <= 2;
         let leading = rates.each_ref().map(|rate| letters.of_order(rate, coupling));
         let obstacle = match () {
             () if !leading.iter().all(|rate| rate.half_powers().all(|(powers, _)| is_linear(powers))) => {
@@ -149,23 +149,23 @@ impl SteadyEquations<'_> {
     /// Numerators of cos mφ and sin mφ with their denominator, without order, where the lowest order is the only one.
     fn quotients(&self, rates: &[Sum; 2], matrix: &Coupling) -> [Sum; 3] {
         let letters = self.letters;
-        let places = [Column::Cosine, Column::Sine].map(|column| letters.place(column));
+        let columns = [Column::Cosine, Column::Sine].map(|column| letters.index(column));
         let [p, q] = rates
             .each_ref()
-            .map(|rate| letters.part(rate, |powers| places.iter().all(|&place| powers[place] == 0)));
+            .map(|rate| letters.part(rate, |powers| columns.iter().all(|&column| powers[column] == 0)));
         let [[a, b], [c, d]] = matrix;
         let minor =
             |x: &Sum, u: &Sum, y: &Sum, v: &Sum| letters.subtract(&letters.times(x, u), &letters.times(y, v));
         let all = [minor(b, &q, d, &p), minor(c, &p, a, &q), self.determinant(matrix)];
-        let least = |place: usize| {
-            let powers = all.iter().flat_map(Sum::half_powers).map(|(powers, _)| powers[place]);
+        let least = |column: usize| {
+            let powers = all.iter().flat_map(Sum::half_powers).map(|(powers, _)| powers[column]);
             powers.min().unwrap_or(0)
         };
         let least: Vec<i64> = (0..letters.ring.letters().len()).map(least).collect();
         all.each_ref().map(|sum| {
             letters.changed(sum, |powers, factor| {
                 powers.iter_mut().zip(&least).for_each(|(power, least)| *power -= least);
-                powers[letters.place(Column::Order)] = 0;
+                powers[letters.index(Column::Order)] = 0;
                 factor.clone()
             })
         })
@@ -184,26 +184,26 @@ impl SteadyEquations<'_> {
     /// The lowest order in which the amplitude changes without the phase.
     fn growth(&self, rates: &[Sum; 2]) -> Option<i64> {
         let letters = self.letters;
-        let places = [Column::Cosine, Column::Sine].map(|column| letters.place(column));
-        let still = letters.part(&rates[0], |powers| places.iter().all(|&place| powers[place] == 0));
+        let columns = [Column::Cosine, Column::Sine].map(|column| letters.index(column));
+        let still = letters.part(&rates[0], |powers| columns.iter().all(|&column| powers[column] == 0));
         letters.lowest_order(&still)
     }
 
     /// The lowest order in which the phase occurs.
     fn coupling(&self, rates: &[Sum; 2]) -> Option<i64> {
         let letters = self.letters;
-        let places = [Column::Cosine, Column::Sine].map(|column| letters.place(column));
-        let coupled = |rate| letters.part(rate, |powers| places.iter().any(|&place| powers[place] != 0));
+        let columns = [Column::Cosine, Column::Sine].map(|column| letters.index(column));
+        let coupled = |rate| letters.part(rate, |powers| columns.iter().any(|&column| powers[column] != 0));
         rates.iter().filter_map(|rate| letters.lowest_order(&coupled(rate))).min()
     }
 
     /// The coefficients of cos mφ and sin mφ at the lowest order in which they occur.
     fn matrix(&self, rates: &[Sum; 2], coupling: i64) -> Coupling {
         let letters = self.letters;
-        let places = [Column::Cosine, Column::Sine].map(|column| letters.place(column));
+        let columns = [Column::Cosine, Column::Sine].map(|column| letters.index(column));
         let leading = |rate: &Sum, powers: [i64; 2]| {
-            let such = letters.part(&letters.of_order(rate, coupling), |own| {
-                places.iter().zip(powers).all(|(&place, power)| own[place] == 2 * power)
+            let such = letters.part(&letters.of_order(rate, coupling), |exponents| {
+                columns.iter().zip(powers).all(|(&column, power)| exponents[column] == 2 * power)
             });
             let [cosine, sine] = [Column::Cosine, Column::Sine];
             let such = letters.coefficient(&such, cosine, powers[0]);
@@ -233,8 +233,8 @@ impl SteadyEquations<'_> {
             |x: &Sum, u: &Sum, y: &Sum, v: &Sum| letters.subtract(&letters.times(x, u), &letters.times(y, v));
         let mut phase = [letters.zero(), letters.zero()];
         for _ in 0..=self.order - self.lowest + 1 {
-            let known = rest.each_ref().map(|rest| self.at_phase(rest, &phase, self.order));
-            let next = [minor(d, &known[0], b, &known[1]), minor(a, &known[1], c, &known[0])];
+            let residuals = rest.each_ref().map(|rest| self.at_phase(rest, &phase, self.order));
+            let next = [minor(d, &residuals[0], b, &residuals[1]), minor(a, &residuals[1], c, &residuals[0])];
             let next = next.map(|it| letters.to_order(&letters.times(&it, &inverse), highest));
             if next == phase {
                 return Some(phase);
@@ -284,7 +284,7 @@ impl SteadyEquations<'_> {
 
 /// The sum divided by the powers that all its terms have; only π keeps those that are negative.
 pub(super) fn without_common_powers(letters: &Letters, sum: &Sum) -> Sum {
-    let pi = letters.place(Column::Pi);
+    let pi = letters.index(Column::Pi);
     let mut least: Option<Vec<i64>> = None;
     for (powers, _) in sum.half_powers() {
         let least = least.get_or_insert_with(|| powers.to_vec());

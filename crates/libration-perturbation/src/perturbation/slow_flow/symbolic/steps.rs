@@ -94,12 +94,12 @@ pub struct ResponseSteps {
 pub(super) fn steps(
     setting: &Setting,
     forced: &Forced<'_>,
-    found: &Found,
+    properties: &Found,
     solved: &Solved,
     (equation, order): (&Equation, i64),
 ) -> Option<SlowFlowSteps> {
     let letters = forced.letters;
-    let flow = collected(setting, forced, found, solved, order);
+    let flow = collected(setting, forced, properties, solved, order);
     lowest_order(letters, &flow.sums.rates)?;
     let detuning = letters.lowest_order(&forced.detuning);
     let orders = forced.terms.iter().flatten().map(|term| term.order).chain(detuning);
@@ -108,8 +108,8 @@ pub(super) fn steps(
         return None;
     }
     let written = Written { setting, forced, variable: &equation.variables()[0], is_at_phase: false };
-    let own = forced.terms[0].iter().filter(|term| term.order == order);
-    let terms = own.map(|term| written.term(solved, term)).collect();
+    let acting = forced.terms[0].iter().filter(|term| term.order == order);
+    let terms = acting.map(|term| written.term(solved, term)).collect();
     let unperturbed = letters.of_order(&solved.displacements[0], 0);
     let motion = [unperturbed.clone(), forced.velocity(&unperturbed)];
     let at_phase = Written { is_at_phase: true, ..written };
@@ -118,7 +118,7 @@ pub(super) fn steps(
         motion: [&written, &at_phase].map(|written| motion.each_ref().map(|sum| written.waves(sum))),
         drive: written.waves(&forced.drives[0]),
         terms,
-        is_by_amplitude: found.acting_order.is_some(),
+        is_by_amplitude: properties.acting_order.is_some(),
         partials: partials(letters, &flow.sums.rates, written.phase()),
         cycle_exponent: cycle_exponent(letters, forced, &flow, order),
         curve: curve(letters, forced, &flow),
@@ -144,11 +144,11 @@ impl Written<'_> {
         let text = |sum: &PhaseSum| sum.text(letters, |k| multiple(k, self.phase()));
         let minus = letters.number(Rational::from(-1));
         let factors = |waves: &Sum| {
-            let own = letters.coefficient(waves, Column::Wave, forced.harmonics[0]);
-            let [real, imaginary] = rates(letters, &own);
+            let coefficient = letters.coefficient(waves, Column::Wave, forced.harmonics[0]);
+            let [real, imaginary] = rates(letters, &coefficient);
             [text(&real), text(&imaginary.times(letters, &minus))]
         };
-        let wave = letters.place(Column::Wave);
+        let wave = letters.index(Column::Wave);
         let resonant = letters.part(&value, |powers| powers[wave].abs() == 2 * forced.harmonics[0]);
         let is_turning = |powers: &[i64]| self.wave_numbers(powers)[1] != 0;
         let turning = letters.part(&resonant, is_turning);
@@ -193,7 +193,7 @@ impl Written<'_> {
     fn wave_numbers(&self, powers: &[i64]) -> [i64; 2] {
         let letters = self.forced.letters;
         let [z, conjugate, wave] =
-            [Column::Phasor, Column::Conjugate, Column::Wave].map(|column| powers[letters.place(column)]);
+            [Column::Phasor, Column::Conjugate, Column::Wave].map(|column| powers[letters.index(column)]);
         let j = (z - conjugate) / 2;
         [j, (wave / 2 - self.forced.harmonics[0] * j) / self.forced.drive_harmonic]
     }
@@ -209,9 +209,9 @@ impl Written<'_> {
         all.dedup();
         let mut text = String::new();
         for numbers in all {
-            let own = letters.part(sum, |powers| self.wave_numbers(powers) == numbers);
-            let wave = letters.place(Column::Wave);
-            let still = letters.changed(&own, |powers, factor| {
+            let wave_part = letters.part(sum, |powers| self.wave_numbers(powers) == numbers);
+            let wave = letters.index(Column::Wave);
+            let still = letters.changed(&wave_part, |powers, factor| {
                 powers[wave] = 0;
                 factor.clone()
             });

@@ -21,8 +21,8 @@ pub(super) fn turned_jacobian(
         matrix.iter().flatten().flat_map(|it| letters.exponents(it, Column::Amplitude)).collect();
     powers.dedup();
     let &[k] = powers.as_slice() else { return None };
-    let places = [Column::Cosine, Column::Sine].map(|column| letters.place(column));
-    let still = |rate| letters.part(rate, |powers| places.iter().all(|&place| powers[place] == 0));
+    let columns = [Column::Cosine, Column::Sine].map(|column| letters.index(column));
+    let still = |rate| letters.part(rate, |powers| columns.iter().all(|&column| powers[column] == 0));
     let [growth, turning] = rates.each_ref().map(still);
     let per_amplitude = letters.power(Column::Amplitude, -1);
     let over = |sum: &Sum, factor: i64| by(&letters.times(sum, &per_amplitude), factor);

@@ -75,8 +75,8 @@ fn comment<C: Coefficient>(answer: &ExpandResult<C>, validity: &str) -> Vec<Stri
     let subject = &answer.subject;
     let mut lines = vec![format!("{}: {}", subject.title, subject.equation)];
     lines.extend(subject.values().map(|values| format!("with {values}")));
-    let (place, square) = (number(&expansion.equilibrium), number(&expansion.omega0_squared));
-    lines.push(format!("about {} = {place}, where omega0^2 = {square}", subject.variable));
+    let (equilibrium, square) = (number(&expansion.equilibrium), number(&expansion.omega0_squared));
+    lines.push(format!("about {} = {equilibrium}, where omega0^2 = {square}", subject.variable));
     lines.push(match &expansion.variable {
         ExpansionVariable::Epsilon(gauge) => format!(
             "Lindstedt-Poincare series of order {order} in the gauge {gauge}, by powers of the amplitude, the largest \

@@ -28,12 +28,14 @@ impl Names {
     /// The name of a letter in the program.
     pub(super) fn letter(&self, name: &str) -> String {
         let mut letters = self.letters.iter().chain(&self.root);
-        letters.find(|(own, _)| own == name).map_or_else(|| name.to_owned(), |(_, changed)| changed.clone())
+        letters
+            .find(|(letter, _)| letter == name)
+            .map_or_else(|| name.to_owned(), |(_, changed)| changed.clone())
     }
 
     /// The name of an argument that is not a letter.
     pub(super) fn argument(&self, name: &str) -> String {
-        let argument = self.arguments.iter().find(|(own, _)| *own == name);
+        let argument = self.arguments.iter().find(|(letter, _)| *letter == name);
         argument.map_or_else(|| name.to_owned(), |(_, changed)| changed.clone())
     }
 }

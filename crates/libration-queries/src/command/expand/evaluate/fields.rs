@@ -33,7 +33,7 @@ impl<'a> Numbers<'a> {
 
     /// The distance from the exact value to read, as far as that is known.
     fn error_text(&self, value: f64) -> String {
-        match self.known() {
+        match self.exact_value() {
             Some(exact) if (value - exact.value).abs() <= exact.uncertainty => {
                 format!("below {}", at_most(exact.uncertainty))
             }
@@ -67,26 +67,26 @@ pub(super) fn of_numbers<'a>() -> Fields<Numbers<'a>> {
             }
         }),
         Of::present("exact_uncertainty", "", "bound on the error of that value", |it| {
-            it.known().map(|exact| exact.uncertainty)
+            it.exact_value().map(|exact| exact.uncertainty)
         }),
         Of::present_value(
             "exact_by",
             "",
             "the independent method: elliptic integrals, or integration of the equation of motion",
-            |it| it.known().map(|exact| method(exact.method).into()),
+            |it| it.exact_value().map(|exact| method(exact.method).into()),
         ),
         Of::present_value("encloses", "", "another equilibrium that the orbit encloses, or null", |it| {
-            it.known().map(|exact| exact.encloses.map(json::number).into())
+            it.exact_value().map(|exact| exact.encloses.map(json::number).into())
         }),
         Of::note(Numbers::other_family),
         Of::present(
             "orbit_distance",
             "",
             "for a limit cycle: largest distance, at the same phase, of the displacement that the series gives from that of the periodic orbit to which Newton's method converges from there; left out where it does not converge",
-            |it| it.orbit_distance().map(|found| found.distance),
+            |it| it.orbit_distance().map(|orbit| orbit.distance),
         ),
         Of::present("orbit_distance_uncertainty", "", "error of that orbit's displacement", |it| {
-            it.orbit_distance().map(|found| found.uncertainty)
+            it.orbit_distance().map(|orbit| orbit.uncertainty)
         }),
         Of::note(Numbers::without_orbit),
         Of::known("radius", "", "radius of convergence, or null", radius),

@@ -104,21 +104,21 @@ impl<'a> Numbers<'a> {
     }
 
     /// The exact value, if there is one and it was computed.
-    fn known(&self) -> Option<&ExactValue> {
+    fn exact_value(&self) -> Option<&ExactValue> {
         self.exact.as_ref()?.as_ref().ok()
     }
 
     /// The difference between a value and the exact one; `None` if there is no exact value.
     fn error(&self, value: f64) -> Option<f64> {
-        self.known().map(|exact| value - exact.value)
+        self.exact_value().map(|exact| value - exact.value)
     }
 
     /// A note that the exact motion does not belong to the family of the series.
     fn other_family(&self) -> Option<String> {
-        let place = self.known()?.encloses?;
+        let equilibrium = self.exact_value()?.encloses?;
         Some(format!(
             "the motion also encloses the equilibrium at {}, so that the series does not apply",
-            short(place, 6)
+            short(equilibrium, 6)
         ))
     }
 
@@ -130,11 +130,11 @@ impl<'a> Numbers<'a> {
     /// The warning that no periodic orbit is near the limit cycle of the series.
     fn without_orbit(&self) -> Option<String> {
         let reason = match self.distance.as_ref()? {
-            Ok(found) if found.is_near() => return None,
-            Ok(found) => format!(
+            Ok(distance) if distance.is_near() => return None,
+            Ok(distance) => format!(
                 "the one to which Newton's method converges from it is {} away, {} of half the swing",
-                short(found.distance, 3),
-                short(found.distance / found.half_swing, 2)
+                short(distance.distance, 3),
+                short(distance.distance / distance.half_swing, 2)
             ),
             Err(reason) => reason.to_string(),
         };

@@ -45,7 +45,7 @@ fn name(quantity: SeriesQuantity, letter: &str) -> String {
 /// The quantity of the table, and the amplitude.
 fn subject(numbers: &Numbers<'_>) -> String {
     let symbol = symbol(numbers);
-    let place = if numbers.answer.expansion.variable.is_strength() {
+    let position = if numbers.answer.expansion.variable.is_strength() {
         format!("at {symbol} = {}", short(numbers.amplitude, 12))
     } else {
         format!("at the amplitude {symbol} = {}", in_units(numbers, numbers.amplitude, 10))
@@ -56,7 +56,7 @@ fn subject(numbers: &Numbers<'_>) -> String {
         _ => String::new(),
     };
     format!(
-        "{} by powers of {symbol}{units}, {place}",
+        "{} by powers of {symbol}{units}, {position}",
         name(numbers.relation.quantity(), letter_of(&numbers.answer.expansion))
     )
 }
@@ -85,8 +85,8 @@ fn write_steps(out: &mut dyn Write, numbers: &Numbers<'_>) -> io::Result<()> {
 fn summary(numbers: &Numbers<'_>) -> Vec<(&'static str, String)> {
     let mut lines = vec![("exact value", exact(numbers))];
     lines.extend(numbers.other_family().map(|told| ("but", told)));
-    if let Some(found) = numbers.orbit_distance() {
-        lines.push(("distance", orbit_distance(found)));
+    if let Some(distance) = numbers.orbit_distance() {
+        lines.push(("distance", orbit_distance(distance)));
     }
     lines.extend(numbers.without_orbit().map(|told| ("warning", told)));
     lines.push(("convergence", convergence(numbers)));
@@ -111,10 +111,10 @@ fn exact(numbers: &Numbers<'_>) -> String {
     }
 }
 
-fn orbit_distance(found: &CycleDistance) -> String {
-    let distance = match found.distance > found.uncertainty {
-        true => short(found.distance, 3),
-        false => format!("below {}", at_most(found.uncertainty)),
+fn orbit_distance(distance_to_orbit: &CycleDistance) -> String {
+    let distance = match distance_to_orbit.distance > distance_to_orbit.uncertainty {
+        true => short(distance_to_orbit.distance, 3),
+        false => format!("below {}", at_most(distance_to_orbit.uncertainty)),
     };
     format!(
         "{distance}, of the displacement from that of the orbit to which Newton's method converges from the series"
@@ -128,24 +128,24 @@ fn convergence(numbers: &Numbers<'_>) -> String {
         None => in_words("too few terms to estimate a radius: give a larger <--order>"),
         Some(Radius::Known(radius)) => {
             let inside = numbers.amplitude.abs() < radius;
-            let place = if inside { "this amplitude is inside" } else { "this amplitude is BEYOND it" };
-            format!("for {symbol} below {} (proven); {place}", in_units(numbers, radius, 10))
+            let verdict = if inside { "this amplitude is inside" } else { "this amplitude is BEYOND it" };
+            format!("for {symbol} below {} (proven); {verdict}", in_units(numbers, radius, 10))
         }
-        Some(Radius::Estimated(found)) if found.at_most.is_infinite() => {
+        Some(Radius::Estimated(radii)) if radii.at_most.is_infinite() => {
             format!(
                 "for {symbol} below {} at least, perhaps everywhere (estimated)",
-                short(found.at_least, 3)
+                short(radii.at_least, 3)
             )
         }
-        Some(Radius::Estimated(found)) => {
-            let (low, high) = (short(found.at_least, 4), short(found.at_most, 4));
-            let place = match numbers.amplitude.abs() {
-                inside if inside < found.at_least => "this amplitude is inside",
-                beyond if beyond > found.at_most => "this amplitude is BEYOND it",
+        Some(Radius::Estimated(radii)) => {
+            let (low, high) = (short(radii.at_least, 4), short(radii.at_most, 4));
+            let verdict = match numbers.amplitude.abs() {
+                inside if inside < radii.at_least => "this amplitude is inside",
+                beyond if beyond > radii.at_most => "this amplitude is BEYOND it",
                 _ => "this amplitude is too close to tell",
             };
-            let radius = in_units(numbers, found.radius, 4);
-            format!("for {symbol} below about {radius} (estimated, between {low} and {high}); {place}")
+            let radius = in_units(numbers, radii.radius, 4);
+            format!("for {symbol} below about {radius} (estimated, between {low} and {high}); {verdict}")
         }
     }
 }
@@ -160,11 +160,11 @@ fn after(numbers: &Numbers<'_>, smallest: &PartialSum) -> String {
 }
 
 fn needed(evaluation: &SeriesEvaluation, counts: impl Iterator<Item = (f64, Option<usize>)>) -> String {
-    let known = evaluation.steps().len().saturating_sub(1);
+    let terms = evaluation.steps().len().saturating_sub(1);
     let mut counted = vec![];
     for (tolerance, count) in counts {
         let Some(count) = count else {
-            counted.push(format!("more than {known} for {tolerance:.0e}"));
+            counted.push(format!("more than {terms} for {tolerance:.0e}"));
             break;
         };
         counted.push(format!("{count} for {tolerance:.0e}"));

@@ -14,7 +14,7 @@ pub(super) fn of_answer() -> Fields<SlowFlowResult> {
     type Of = Field<SlowFlowResult>;
     Fields::from([
         Of::nested("leading_limit_cycles[].", &of_cycle(), |result| {
-            of_cycle().records(result.leading.as_ref().map_or(&[][..], |found| &found.cycles))
+            of_cycle().records(result.leading.as_ref().map_or(&[][..], |leading| &leading.cycles))
         }),
         Of::value(
             "leading_amplitudes_searched[]",
@@ -24,7 +24,7 @@ pub(super) fn of_answer() -> Fields<SlowFlowResult> {
                 result
                     .leading
                     .as_ref()
-                    .map_or(Value::Null, |found| json::list(found.searched.map(json::number)))
+                    .map_or(Value::Null, |leading| json::list(leading.searched.map(json::number)))
             },
         ),
         Of::value(
@@ -32,14 +32,17 @@ pub(super) fn of_answer() -> Fields<SlowFlowResult> {
             "1",
             "sign of the work of the small terms over these two orbits, for a positive parameter",
             |result| {
-                result.leading.as_ref().map_or(Value::Null, |found| json::list(found.signs.map(json::number)))
+                result
+                    .leading
+                    .as_ref()
+                    .map_or(Value::Null, |leading| json::list(leading.signs.map(json::number)))
             },
         ),
         Of::value(
             "leading_orbits_end",
             "",
             "true if the orbits about the equilibrium end at the greatest amplitude",
-            |result| result.leading.as_ref().map_or(Value::Null, |found| found.family_ends.into()),
+            |result| result.leading.as_ref().map_or(Value::Null, |leading| leading.family_ends.into()),
         ),
         Of::value(
             "leading_reason",
@@ -83,18 +86,20 @@ fn of_cycle() -> Fields<LeadingLimitCycle> {
 pub(super) fn write(out: &mut dyn Write, answer: &SlowFlowResult) -> io::Result<()> {
     writeln!(out)?;
     match &answer.leading {
-        Ok(found) if found.cycles.is_empty() => write_text(out, "", &without_cycle(found)),
-        Ok(found) => found.cycles.iter().try_for_each(|cycle| write_cycle(out, cycle, &found.parameter)),
+        Ok(leading) if leading.cycles.is_empty() => write_text(out, "", &without_cycle(leading)),
+        Ok(leading) => {
+            leading.cycles.iter().try_for_each(|cycle| write_cycle(out, cycle, &leading.parameter))
+        }
         Err(error) => write_text(out, "", &format!("no limit cycles over exact orbits: {error}")),
     }
 }
 
-fn without_cycle(found: &LeadingLimitCycles) -> String {
-    let (parameter, largest) = (&found.parameter, short(found.searched[1], 6));
-    let end = if found.family_ends { ", where the orbits end" } else { "" };
+fn without_cycle(leading: &LeadingLimitCycles) -> String {
+    let (parameter, largest) = (&leading.parameter, short(leading.searched[1], 6));
+    let end = if leading.family_ends { ", where the orbits end" } else { "" };
     let amplitudes = format!("amplitudes up to {largest}{end}");
-    match found.signs[1] {
-        _ if found.is_without_work() => format!(
+    match leading.signs[1] {
+        _ if leading.is_without_work() => format!(
             "to first order in {parameter} the small terms take as much as they give over every exact orbit: {amplitudes} were examined"
         ),
         sign => {

@@ -16,8 +16,8 @@ pub(super) fn write(out: &mut dyn Write, answer: &SlowFlowResult) -> io::Result<
     let flow = &answer.flow;
     answer.subject.write(out)?;
     let variable = &answer.subject.variable;
-    let (place, square) = (&flow.equilibrium, &flow.omega0_squared);
-    write_text(out, "", &format!("about {variable} = {place}, where ω0² = {square}"))?;
+    let (equilibrium, square) = (&flow.equilibrium, &flow.omega0_squared);
+    write_text(out, "", &format!("about {variable} = {equilibrium}, where ω0² = {square}"))?;
     write_text(out, "", &meaning(answer))?;
     writeln!(out)?;
     let names = PolynomialNotation { parameter: &flow.parameter, style: Style::Text };
@@ -81,8 +81,8 @@ fn power(number: usize) -> String {
 
 fn motion_title(answer: &SlowFlowResult) -> String {
     let (variable, flow) = (&answer.subject.variable, &answer.flow);
-    let place = if flow.equilibrium.is_zero() { String::new() } else { format!(" - {}", flow.equilibrium) };
-    let whole = format!("{variable}(A, ψ){place} is the sum of");
+    let offset = if flow.equilibrium.is_zero() { String::new() } else { format!(" - {}", flow.equilibrium) };
+    let whole = format!("{variable}(A, ψ){offset} is the sum of");
     if flow.half_swing { format!("for 0 ≤ ψ ≤ π {whole}, and the opposite at ψ + π") } else { whole }
 }
 
@@ -203,7 +203,7 @@ pub(super) fn write_latex(out: &mut dyn Write, answer: &SlowFlowResult) -> io::R
         .variable
         .parse()
         .map_or_else(|_| answer.subject.variable.clone(), |expression: Expression| expression.to_latex());
-    let place = if flow.equilibrium.is_zero() { String::new() } else { format!(" - {}", flow.equilibrium) };
+    let offset = if flow.equilibrium.is_zero() { String::new() } else { format!(" - {}", flow.equilibrium) };
     let terms = of_motion(flow, Style::Latex);
     let terms: Vec<String> = terms
         .into_iter()
@@ -214,6 +214,6 @@ pub(super) fn write_latex(out: &mut dyn Write, answer: &SlowFlowResult) -> io::R
         .collect();
     writeln!(out, "\\begin{{align*}}")?;
     let range = if flow.half_swing { r",\quad 0 \le \psi \le \pi" } else { "" };
-    writeln!(out, "  {variable}{place} &= {}{range}", terms.join(" \\\\\n  &\\quad + "))?;
+    writeln!(out, "  {variable}{offset} &= {}{range}", terms.join(" \\\\\n  &\\quad + "))?;
     writeln!(out, "\\end{{align*}}")
 }

@@ -136,10 +136,10 @@ fn write_state(out: &mut dyn Write, judged: &JudgedState, is_driven: bool) -> io
         Some(false) => "unstable",
         None => "stability undetermined",
     };
-    writeln!(out, "{}, {stability}", place(&judged.state, judged.errors, is_driven))
+    writeln!(out, "{}, {stability}", state_text(&judged.state, judged.errors, is_driven))
 }
 
-fn place(state: &SteadySolution, errors: Option<[f64; 2]>, is_driven: bool) -> String {
+fn state_text(state: &SteadySolution, errors: Option<[f64; 2]>, is_driven: bool) -> String {
     const FEW: usize = 2;
     let written = |value: f64, error: Option<f64>| match error {
         Some(error) => to_its_error(value, error, DIGITS),
@@ -150,16 +150,16 @@ fn place(state: &SteadySolution, errors: Option<[f64; 2]>, is_driven: bool) -> S
     if is_driven { format!("A = {amplitude}, phi = {phase}") } else { format!("A = {amplitude}") }
 }
 
-fn write_notes(out: &mut dyn Write, found: &[JudgedState]) -> io::Result<()> {
+fn write_notes(out: &mut dyn Write, states: &[JudgedState]) -> io::Result<()> {
     let is_known = |state: &JudgedState| state.errors.is_some();
-    if found.iter().any(is_known) {
+    if states.iter().any(is_known) {
         write_text(out, "", "errors are estimated by the next order, and digits beyond them left out")?;
     }
-    if !found.iter().all(is_known) {
+    if !states.iter().all(is_known) {
         let note = "numbers of two digits have an error that is not known: no next order has this state";
         write_text(out, "", note)?;
     }
-    if found.iter().any(|state| state.is_stable.is_none()) {
+    if states.iter().any(|state| state.is_stable.is_none()) {
         let note = "stability is undetermined where two orders disagree, where only one of several has the state, and where the \
                     trace is zero";
         write_text(out, "", note)?;
@@ -168,6 +168,6 @@ fn write_notes(out: &mut dyn Write, found: &[JudgedState]) -> io::Result<()> {
 }
 
 fn write_left_out(out: &mut dyn Write, left: &StateLeftOut, answer: &SymbolicFlowResult) -> io::Result<()> {
-    let place = place(&left.state, None, answer.flow.resonance.is_some());
-    write_text(out, "", &format!("left out: {place} (order {}): {}", left.order, why_left_out(left)))
+    let position = state_text(&left.state, None, answer.flow.resonance.is_some());
+    write_text(out, "", &format!("left out: {position} (order {}): {}", left.order, why_left_out(left)))
 }

@@ -108,8 +108,11 @@ impl Expand {
         let plain = OscillatorOptions::new(text, &[], about).asked();
         let drive = plain.ok().and_then(|asked| drive_symbol(&asked.equation));
         let is_held = |name: &str| {
-            let is_small =
-                if small.is_empty() { name == BOOKKEEPING } else { small.iter().any(|(own, _)| own == name) };
+            let is_small = if small.is_empty() {
+                name == BOOKKEEPING
+            } else {
+                small.iter().any(|(letter, _)| letter == name)
+            };
             is_small || drive.as_deref() == Some(name)
         };
         let name_of = |text: &String| text.split('=').next().unwrap_or_default().trim().to_owned();
@@ -135,7 +138,8 @@ impl Expand {
             let reason = "there is no drive: <--evaluate> takes the drive frequency of a slow flow";
             return Err(QueryError::usage(option("evaluate"), reason));
         }
-        let of_name = |name: &str| held.values.iter().find(|(own, _)| own == name).map(|(_, value)| *value);
+        let of_name =
+            |name: &str| held.values.iter().find(|(letter, _)| letter == name).map(|(_, value)| *value);
         match flow.at(&of_name, drive) {
             Ok(at) => {
                 let next = next();

@@ -14,7 +14,7 @@ use serde_json::Value;
 pub(in super::super) struct DampingModel<'a> {
     answer: &'a FitTraceResult<'a>,
     comparison: &'a Comparison,
-    place: usize,
+    index: usize,
     weight: f64,
 }
 
@@ -24,17 +24,17 @@ pub(in super::super) fn models<'a>(
     comparison: &'a Comparison,
 ) -> Vec<DampingModel<'a>> {
     let weights = comparison.weights().into_iter().enumerate();
-    weights.map(|(place, weight)| DampingModel { answer, comparison, place, weight }).collect()
+    weights.map(|(index, weight)| DampingModel { answer, comparison, index, weight }).collect()
 }
 
 impl DampingModel<'_> {
     fn fit(&self) -> &TraceFit {
-        &self.comparison.fits[self.place]
+        &self.comparison.fits[self.index]
     }
 
     /// Akaike's criterion minus that of the best model.
     pub(in super::super) fn excess(&self) -> f64 {
-        self.comparison.aicc_differences[self.place]
+        self.comparison.aicc_differences[self.index]
     }
 
     pub(in super::super) fn is_left(&self) -> bool {
@@ -43,7 +43,7 @@ impl DampingModel<'_> {
 
     /// The standing of the model, and its negative coefficients.
     fn remark(&self) -> String {
-        let standing = match self.comparison.standing(self.place) {
+        let standing = match self.comparison.standing(self.index) {
             Standing::Preferred => "preferred",
             Standing::Tied => "tied",
             Standing::Possible => "possible",
@@ -72,7 +72,7 @@ pub(in super::super) fn of_model<'a>() -> Fields<DampingModel<'a>> {
         Of::value("model", "", "damping of the model", |model| model.fit().damping.to_string().into())
             .words(COLUMNS[0], |model| model.fit().damping.to_string()),
         Of::value("standing", "", "preferred, tied, possible, negative, feeds_energy or excluded", |model| {
-            model.comparison.standing(model.place).name().into()
+            model.comparison.standing(model.index).name().into()
         })
         .words(COLUMNS[5], DampingModel::remark),
         Of::number("rms_residual", "", "root mean square of the residuals, in rad or rad/s", |model| {
@@ -138,8 +138,8 @@ pub(super) fn averaged(comparison: &Comparison) -> Value {
     let record = of_period().added_to(Record::new(), &comparison.small_angle_period());
     let shared = DampingKind::ALL.map(ParameterKind::Damping);
     let shared = [ParameterKind::NaturalFrequency].into_iter().chain(shared);
-    let known = shared.filter_map(|kind| Some((kind.name(), comparison.parameter(kind)?)));
-    known.fold(record, |record, (name, value)| of_average().added_for(name, record, &value)).into()
+    let parameters = shared.filter_map(|kind| Some((kind.name(), comparison.parameter(kind)?)));
+    parameters.fold(record, |record, (name, value)| of_average().added_for(name, record, &value)).into()
 }
 
 pub(super) fn of_averages() -> Fields<ModelAverage> {

@@ -15,7 +15,7 @@ pub(in super::super) struct ParameterRow<'a> {
 
 pub(in super::super) fn rows<'a>(answer: &'a FitTraceResult<'_>) -> Vec<ParameterRow<'a>> {
     let traces = &answer.measured.traces;
-    let name = |place: usize| (traces.len() > 1).then(|| traces[place].name());
+    let name = |trace: usize| (traces.len() > 1).then(|| traces[trace].name());
     let parameters = answer.swings.fit.parameters.iter();
     parameters.map(|parameter| ParameterRow { parameter, trace: parameter.trace.and_then(name) }).collect()
 }
@@ -74,8 +74,8 @@ pub(super) fn trace<'a>() -> Field<ParameterRow<'a>> {
 }
 
 impl ParameterRow<'_> {
-    fn interval(&self, place: usize) -> String {
-        let ends = self.parameter.intervals[place].map(|end| self.to_the_digit(end));
+    fn interval(&self, level: usize) -> String {
+        let ends = self.parameter.intervals[level].map(|end| self.to_the_digit(end));
         format!("{} … {}", ends[0], ends[1])
     }
 

@@ -11,11 +11,11 @@ use libration_lab::fit::cycles::Cycles;
 /// A trace of a result.
 pub(in super::super) struct TraceOf<'a> {
     answer: &'a FitTraceResult<'a>,
-    place: usize,
+    index: usize,
 }
 
 pub(in super::super) fn traces<'a>(answer: &'a FitTraceResult<'a>) -> Vec<TraceOf<'a>> {
-    (0..answer.measured.traces.len()).map(|place| TraceOf { answer, place }).collect()
+    (0..answer.measured.traces.len()).map(|index| TraceOf { answer, index }).collect()
 }
 
 /// A row of a trace: time, observed value, fitted value, difference.
@@ -61,22 +61,23 @@ pub(in super::super) fn of_trace<'a>() -> Fields<TraceOf<'a>> {
             "outlier_rows[]",
             "1",
             "rows beyond five robust standard deviations, numbered from 0",
-            |trace| json::list(trace.answer.swings.fit.traces[trace.place].outliers.clone()),
+            |trace| json::list(trace.answer.swings.fit.traces[trace.index].outliers.clone()),
         ),
         Of::unnamed().numeral("cycles", |trace| {
-            trace.cycles().map_or("–".to_owned(), |found| found.cycles.len().to_string())
+            trace.cycles().map_or("–".to_owned(), |cycles| cycles.cycles.len().to_string())
         }),
         Of::unnamed().numeral("largest", |trace| trace.amplitude(f64::max)),
         Of::unnamed().numeral("smallest", |trace| trace.amplitude(f64::min)),
         Of::known("t0_by_cycles_s", "s", "T₀ by the periods of its cycles, or null", |trace| {
-            trace.cycles().map(|found| found.t0.value)
+            trace.cycles().map(|cycles| cycles.t0.value)
         })
         .numeral("T₀ by cycles / s", |trace| {
-            let t0 = trace.cycles().map(|found| with_uncertainty(found.t0.value, found.t0.uncertainty, ""));
+            let t0 =
+                trace.cycles().map(|cycles| with_uncertainty(cycles.t0.value, cycles.t0.uncertainty, ""));
             t0.unwrap_or("–".to_owned())
         }),
         Of::known("t0_by_cycles_uncertainty_s", "s", "standard uncertainty of that, or null", |trace| {
-            trace.cycles().map(|found| found.t0.uncertainty)
+            trace.cycles().map(|cycles| cycles.t0.uncertainty)
         }),
         Of::known("beta", "1", "β of this trace, or null", |trace| {
             trace.beta().map(|beta| beta.factor.value)
@@ -90,19 +91,19 @@ pub(in super::super) fn of_trace<'a>() -> Fields<TraceOf<'a>> {
 
 impl TraceOf<'_> {
     fn name(&self) -> &str {
-        self.answer.measured.traces[self.place].name()
+        self.answer.measured.traces[self.index].name()
     }
 
     fn times(&self) -> &[f64] {
-        self.answer.measured.traces[self.place].times()
+        self.answer.measured.traces[self.index].times()
     }
 
     fn rms(&self) -> f64 {
-        self.answer.swings.fit.traces[self.place].rms()
+        self.answer.swings.fit.traces[self.index].rms()
     }
 
     fn cycles(&self) -> Result<&Cycles, String> {
-        self.answer.swings.cycles[self.place].as_ref().map_err(ToString::to_string)
+        self.answer.swings.cycles[self.index].as_ref().map_err(ToString::to_string)
     }
 
     fn beta(&self) -> Result<&Beta, String> {
@@ -112,7 +113,7 @@ impl TraceOf<'_> {
 
     /// The largest or the smallest of its cycles.
     fn amplitude(&self, extreme: fn(f64, f64) -> f64) -> String {
-        let amplitudes = self.cycles().into_iter().flat_map(|found| &found.cycles);
+        let amplitudes = self.cycles().into_iter().flat_map(|cycles| &cycles.cycles);
         let amplitude = amplitudes.map(|cycle| cycle.amplitude.value.to_degrees()).reduce(extreme);
         amplitude.map_or("–".to_owned(), |amplitude| format!("{}°", rounded(amplitude, 3)))
     }

@@ -79,8 +79,8 @@ pub(super) fn of_periods(answer: &FitTraceResult<'_>) -> Vec<Block> {
     let alone = answer.measured.traces.len() == 1;
     let named = answer.measured.traces.iter().zip(&answer.swings.cycles);
     let swings: Vec<Swings<'_>> = named
-        .filter_map(|(trace, found)| {
-            let cycles = &found.as_ref().ok()?.cycles;
+        .filter_map(|(trace, outcome)| {
+            let cycles = &outcome.as_ref().ok()?.cycles;
             Some(Swings { name: if alone { "" } else { trace.name() }, cycles })
         })
         .collect();
@@ -124,9 +124,9 @@ fn of_model(
     half_swings: &[HalfSwing],
 ) -> Option<Envelope> {
     let measured = &answer.measured.traces[trace];
-    let own =
+    let offset_parameter =
         fit.parameters.iter().find(|each| each.trace == Some(trace) && each.kind == ParameterKind::Offset);
-    let offset = own?.estimate.value;
+    let offset = offset_parameter?.estimate.value;
     let sizes: Vec<f64> = fit.traces[trace].fitted.iter().map(|value| (value - offset).abs()).collect();
     let window = fit.small_angle_period().value / 6.0;
     let amplitude = |half: &HalfSwing| {

@@ -73,8 +73,8 @@ pub(super) fn read(answer: &FitTraceResult<'_>) -> Vec<Block> {
 }
 
 pub(super) fn residuals(answer: &FitTraceResult<'_>) -> Vec<Block> {
-    let found = &answer.swings.fit.autocorrelation;
-    let verdict = if found.is_noise() {
+    let autocorrelation = &answer.swings.fit.autocorrelation;
+    let verdict = if autocorrelation.is_noise() {
         "They look like white noise: neighbouring residuals are uncorrelated, as reading errors are."
     } else {
         "They are not white noise: neighbouring residuals are correlated, so something other than reading errors contributes, and \

@@ -58,7 +58,7 @@ pub(super) fn of_answer() -> Fields<SpectrumResult> {
     type Of = Field<SpectrumResult>;
     Fields::from([
         Of::value("file", "", "name of the file", |result| result.file.as_str().into()),
-        Of::nested("traces[].", &of_trace(), |result| of_trace().records(&result.found)),
+        Of::nested("traces[].", &of_trace(), |result| of_trace().records(&result.spectra)),
         Of::value("left_out[]", "", "reasons why other traces have no harmonics", |result| {
             json::list(result.left_out.clone())
         }),

@@ -46,7 +46,7 @@ pub(super) struct SpectrumQuestion {
 struct SpectrumResult {
     file: String,
     findings: Vec<String>,
-    found: Vec<MeasuredSpectrum>,
+    spectra: Vec<MeasuredSpectrum>,
     /// Reasons why other traces have no spectrum.
     left_out: Vec<String>,
 }
@@ -60,9 +60,9 @@ impl SpectrumQuestion {
         out: &mut dyn Write,
     ) -> Result<(), QueryError> {
         let traces = recording.traces(file)?;
-        let answer = self.found(&file.display().to_string(), &traces)?;
+        let answer = self.spectra(&file.display().to_string(), &traces)?;
         let drawn = match &self.figure {
-            Some(path) => vec![figure::file::write(path, &measured_spectra(&answer.found), &self.layout)?],
+            Some(path) => vec![figure::file::write(path, &measured_spectra(&answer.spectra), &self.layout)?],
             None => vec![],
         };
         answer.write(out, form.form())?;
@@ -70,19 +70,20 @@ impl SpectrumQuestion {
     }
 
     /// An error only where no trace has harmonics.
-    fn found(&self, file: &str, traces: &Traces) -> Result<SpectrumResult, QueryError> {
+    fn spectra(&self, file: &str, traces: &Traces) -> Result<SpectrumResult, QueryError> {
         interrupt::listen()?;
         let options = SpectrumOptions { harmonics: self.harmonics, swings: self.swings };
         let of = |trace: &Trace| fit_spectrum(trace, &options, &Cancellation);
         let all = || traces.traces.iter().map(of).collect::<Vec<_>>();
         let results = parallel::with_progress(|| "harmonics of the swings".to_owned(), all);
         let findings = traces.findings.iter().map(finding_with_option).collect();
-        let mut answer = SpectrumResult { file: file.to_owned(), findings, found: vec![], left_out: vec![] };
+        let mut answer =
+            SpectrumResult { file: file.to_owned(), findings, spectra: vec![], left_out: vec![] };
         let mut first_error = None;
         for (trace, result) in traces.traces.iter().zip(results) {
             let name = trace.name().to_owned();
             match result {
-                Ok(spectrum) => answer.found.push(MeasuredSpectrum { name, spectrum }),
+                Ok(spectrum) => answer.spectra.push(MeasuredSpectrum { name, spectrum }),
                 Err(error) => {
                     answer.left_out.push(if name.is_empty() {
                         error.to_string()
@@ -94,7 +95,7 @@ impl SpectrumQuestion {
             }
         }
         match first_error {
-            Some(error) if answer.found.is_empty() => Err(failure(file, &error)),
+            Some(error) if answer.spectra.is_empty() => Err(failure(file, &error)),
             _ => match interrupt::check().is_break() {
                 true => Err(interrupted()),
                 false => Ok(answer),

@@ -14,7 +14,7 @@ impl SpectrumResult {
         match form {
             Form::Json => json::document(out, fields::of_answer().record(self))?,
             Form::Csv => {
-                let lines: Vec<_> = self.found.iter().flat_map(fields::all_lines).collect();
+                let lines: Vec<_> = self.spectra.iter().flat_map(fields::all_lines).collect();
                 fields::of_line().write_csv(out, &lines)?;
             }
             Form::Table => self.write_sheets(out)?,
@@ -23,22 +23,22 @@ impl SpectrumResult {
     }
 
     fn write_sheets(&self, out: &mut dyn Write) -> io::Result<()> {
-        for (number, found) in self.found.iter().enumerate() {
+        for (number, measured) in self.spectra.iter().enumerate() {
             if number > 0 {
                 writeln!(out)?;
             }
-            sheet(out, &self.head(found))?;
+            sheet(out, &self.head(measured))?;
             writeln!(out)?;
-            fields::of_line().write_table(out, &found.means())?;
-            for remark in &found.spectrum.remarks {
+            fields::of_line().write_table(out, &measured.means())?;
+            for remark in &measured.spectrum.remarks {
                 write_text(out, "note: ", &remark.to_string())?;
             }
         }
         self.left_out.iter().try_for_each(|reason| write_text(out, "left out: ", reason))
     }
 
-    fn head(&self, found: &MeasuredSpectrum) -> Vec<(&'static str, String)> {
-        let spectrum = &found.spectrum;
+    fn head(&self, measured: &MeasuredSpectrum) -> Vec<(&'static str, String)> {
+        let spectrum = &measured.spectrum;
         let (first, last) = (&spectrum.windows[0], &spectrum.windows[spectrum.windows.len() - 1]);
         let rows: usize = spectrum.windows.iter().map(|window| window.rows).sum();
         let between = |first: f64, last: f64, unit: &str| match spectrum.windows.len() {
@@ -48,7 +48,7 @@ impl SpectrumResult {
             }
         };
         let (unit, scale) = unit_scale(spectrum.observable);
-        let name = if found.name.is_empty() { vec![] } else { vec![("run", found.name.clone())] };
+        let name = if measured.name.is_empty() { vec![] } else { vec![("run", measured.name.clone())] };
         let windows = if spectrum.windows.len() == 1 { "window" } else { "windows" };
         [
             vec![("file", self.file.clone())],

@@ -20,7 +20,7 @@ impl Simulate {
         let table = MotionTable::read(path, &system)?;
         open_model(&system, &table)?;
         let mut settings = vec![];
-        let places = setting::places(self, path, &system, &table, &mut settings)?;
+        let setting_indices = setting::places(self, path, &system, &table, &mut settings)?;
         if settings.len() > 1 {
             return Err(usage(
                 option("each"),
@@ -33,7 +33,7 @@ impl Simulate {
         if !self.sensitivity.is_empty() {
             return Err(usage(option("sensitivity"), "derivatives are not computed for an ensemble"));
         }
-        let listed = list::listed(self, path, &table, &places, &settings)?;
+        let listed = list::listed(self, path, &table, &setting_indices, &settings)?;
         let starts: Vec<Moment> = listed.iter().map(|listed| listed.motion.beginning()).collect();
         let (effort, setting) = (self.tolerance.effort(), &settings[0]);
         let ensemble = Ensemble::new(setting.system.clone(), &starts, &effort);

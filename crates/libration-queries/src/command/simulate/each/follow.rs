@@ -41,8 +41,8 @@ pub(super) fn all<'a>(motions: &[Listed<'a>], drawn: bool) -> Vec<Option<Followe
     let followed = parallel::with_progress(how_far, || parallel::map(&pieces, work));
     let mut all: Vec<Option<Followed<'a>>> = motions.iter().map(|_| None).collect();
     for (piece, followed) in pieces.iter().zip(followed) {
-        for ((place, _), followed) in piece.motions.iter().zip(followed) {
-            all[*place] = followed;
+        for ((index, _), followed) in piece.motions.iter().zip(followed) {
+            all[*index] = followed;
         }
     }
     all
@@ -51,11 +51,11 @@ pub(super) fn all<'a>(motions: &[Listed<'a>], drawn: bool) -> Vec<Option<Followe
 /// Motions with the same parameters together, shared among the cores.
 fn pieces<'m, 'a>(motions: &'m [Listed<'a>]) -> Vec<Piece<'m, 'a>> {
     let mut groups: Vec<Piece<'m, 'a>> = vec![];
-    for (place, listed) in motions.iter().enumerate() {
+    for (index, listed) in motions.iter().enumerate() {
         let same = |piece: &&mut Piece<'_, '_>| std::ptr::eq(piece.setting, listed.setting);
         match groups.iter_mut().rev().find(same) {
-            Some(piece) => piece.motions.push((place, listed)),
-            None => groups.push(Piece { setting: listed.setting, motions: vec![(place, listed)] }),
+            Some(piece) => piece.motions.push((index, listed)),
+            None => groups.push(Piece { setting: listed.setting, motions: vec![(index, listed)] }),
         }
     }
     let cores = available_parallelism().map_or(1, usize::from);
@@ -109,8 +109,8 @@ impl<'m, 'a> Account<'m, 'a> {
     fn new(listed: &'m Listed<'a>, drawn: bool) -> Self {
         let setting = listed.setting;
         let motion = &listed.motion;
-        let own = motion.own(&motion.beginning());
-        let balance = setting.energy.as_ref().ok().map(|energy| energy.balance(&own));
+        let state = motion.motion_state(&motion.beginning());
+        let balance = setting.energy.as_ref().ok().map(|energy| energy.balance(&state));
         let last = motion.times.last();
         let trace = drawn.then(|| Trace::new(&setting.model, setting.observables.as_ref(), last));
         Self { motion, balance, trace, told: 0 }
@@ -119,7 +119,7 @@ impl<'m, 'a> Account<'m, 'a> {
     fn follow(&mut self, step: &Step<'_>, progress: &MotionsProgress) -> ControlFlow<()> {
         if let Some(balance) = &mut self.balance {
             let end = Moment { time: step.end(), state: step.state_at(step.end()) };
-            balance.record(&self.motion.own(&end));
+            balance.record(&self.motion.motion_state(&end));
         }
         if let Some(trace) = &mut self.trace {
             trace.follow(step, step.end());

@@ -16,16 +16,16 @@ pub(super) struct Listed<'a> {
     pub(super) motion: SimulatedMotion<'a>,
 }
 
-/// All motions; `places` has the index of the setting of each row.
+/// All motions; `setting_indices` has the index of the setting of each row.
 pub(super) fn listed<'a>(
     question: &'a Simulate,
     path: &Path,
     table: &'a MotionTable,
-    places: &[usize],
+    setting_indices: &[usize],
     settings: &'a [Setting],
 ) -> Result<Vec<Listed<'a>>, QueryError> {
-    let motions = (1..).zip(&table.rows).zip(places).map(|((number, row), place)| {
-        let setting = &settings[*place];
+    let motions = (1..).zip(&table.rows).zip(setting_indices).map(|((number, row), setting_index)| {
+        let setting = &settings[*setting_index];
         let cells: Vec<(&str, &str)> = table.cells_of(row, Meaning::Initial).collect();
         let initial = question.initial.read_with(&cells, &setting.model)?;
         let initial = initial.map_err(|reason| at_line(path, row.line, &reason))?;

@@ -49,22 +49,22 @@ impl Simulate {
         let table = MotionTable::read(path, &system)?;
         let model = open_model(&system, &table)?;
         let mut settings: Vec<Setting> = vec![];
-        let places = setting::places(self, path, &system, &table, &mut settings)?;
-        let motions = list::listed(self, path, &table, &places, &settings)?;
+        let setting_indices = setting::places(self, path, &system, &table, &mut settings)?;
+        let motions = list::listed(self, path, &table, &setting_indices, &settings)?;
         self.check_size(&motions)?;
         let axes =
             self.axes.as_deref().map(|names| arguments::places_in_state(&model, &option("axes"), names));
-        let axes = axes.transpose()?.map(|places| places.map(|place| StateAxis::new(&model, place)));
+        let axes = axes.transpose()?.map(|components| components.map(|index| StateAxis::new(&model, index)));
         interrupt::listen()?;
         let followed = follow::all(&motions, self.figure.is_some());
-        let known = motions.iter().zip(followed).filter_map(|(motion, followed)| Some((motion, followed?)));
+        let done = motions.iter().zip(followed).filter_map(|(motion, followed)| Some((motion, followed?)));
         let answer = SimulatedEach {
             path,
             table: &table,
             model: &model,
             tolerances: &self.tolerance,
             with_events: !settings[0].watched.is_empty(),
-            motions: known.collect(),
+            motions: done.collect(),
         };
         let drawn = match &self.figure {
             Some(path) => vec![figure::file::write(path, &answer.picture(axes.as_ref()), &self.layout)?],

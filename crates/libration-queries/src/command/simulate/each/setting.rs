@@ -31,23 +31,23 @@ pub(super) fn places(
     table: &MotionTable,
     settings: &mut Vec<Setting>,
 ) -> Result<Vec<usize>, QueryError> {
-    let mut known: HashMap<Vec<&str>, usize> = HashMap::new();
-    let mut places = vec![];
+    let mut indices: HashMap<Vec<&str>, usize> = HashMap::new();
+    let mut setting_indices = vec![];
     for row in &table.rows {
         let cells: Vec<(&str, &str)> = table.cells_of(row, Meaning::Parameter).collect();
         let texts = cells.iter().map(|(_, text)| *text).collect();
-        let place = match known.get(&texts) {
-            Some(place) => *place,
+        let index = match indices.get(&texts) {
+            Some(index) => *index,
             None => {
                 let model = model(system, &cells).map_err(|reason| at_line(path, row.line, &reason))?;
                 settings.push(Setting::new(question, system, model)?);
-                known.insert(texts, settings.len() - 1);
+                indices.insert(texts, settings.len() - 1);
                 settings.len() - 1
             }
         };
-        places.push(place);
+        setting_indices.push(index);
     }
-    Ok(places)
+    Ok(setting_indices)
 }
 
 fn model(system: &GivenSystem<'_>, cells: &[(&str, &str)]) -> Result<Model, String> {

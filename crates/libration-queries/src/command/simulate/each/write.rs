@@ -51,8 +51,8 @@ impl SimulatedEach<'_> {
 
     fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
         let (of_number, of_time) = (of_number(), of_time());
-        let places = if self.has_names() { 2 } else { 1 };
-        let names = of_number.csv_names().into_iter().take(places).chain(of_time.csv_names());
+        let columns = if self.has_names() { 2 } else { 1 };
+        let names = of_number.csv_names().into_iter().take(columns).chain(of_time.csv_names());
         let names = names.chain(self.model.state_names()).chain(self.column_names());
         let event = self.with_events.then(|| EVENT.0.to_owned());
         csv::line(out, &names.chain(event).collect::<Vec<_>>())?;
@@ -60,7 +60,7 @@ impl SimulatedEach<'_> {
             let numbered = of_number.csv_cells(&NumberedMotion { answer: self, listed });
             for row in listed.motion.rows(&followed.solution, None) {
                 let (time, numbers, kind) = row.parts();
-                let mut cells = numbered[..places].to_vec();
+                let mut cells = numbered[..columns].to_vec();
                 cells.extend(of_time.csv_cells(&time));
                 cells.extend(numbers.concat().into_iter().map(csv::number));
                 cells.extend(self.with_events.then(|| kind.to_owned()));
@@ -87,15 +87,15 @@ impl SimulatedEach<'_> {
 
     /// Writes each motion, and its ending.
     fn write_motions(&self, out: &mut dyn Write) -> io::Result<()> {
-        let own = self.table.columns.iter().map(|column| match column.meaning {
+        let titles_of_table = self.table.columns.iter().map(|column| match column.meaning {
             Meaning::Name => Column::words(&column.title),
             Meaning::Parameter | Meaning::Initial => Column::numbers(&column.title),
         });
         let ends = [Column::numbers("ends at t / s"), Column::words("by"), Column::numbers("energy drift")];
-        let columns = [Column::numbers("motion")].into_iter().chain(own).chain(ends);
+        let columns = [Column::numbers("motion")].into_iter().chain(titles_of_table).chain(ends);
         let mut table = Table::new(columns.chain([Column::numbers("steps")]).collect());
         for (listed, followed) in &self.motions {
-            let own = listed.row.cells.iter().cloned();
+            let cells = listed.row.cells.iter().cloned();
             let drift =
                 followed.drift.as_ref().map_or(String::new(), |[drift, _]| number::rounded(*drift, 2));
             let solution = &followed.solution;
@@ -105,7 +105,7 @@ impl SimulatedEach<'_> {
                 drift,
                 solution.steps.to_string(),
             ];
-            table.row(out, [listed.number.to_string()].into_iter().chain(own).chain(ends).collect())?;
+            table.row(out, [listed.number.to_string()].into_iter().chain(cells).chain(ends).collect())?;
         }
         table.finish(out)?;
         // They all have none for one reason.
@@ -121,20 +121,20 @@ impl SimulatedEach<'_> {
     /// The samples and events of all motions.
     fn write_rows(&self, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out)?;
-        let own =
+        let of_motion =
             [Column::numbers("motion")].into_iter().chain(self.has_names().then(|| Column::words("name")));
         let numbers = titles(self.model, &self.column_names()).into_iter().map(Column::numbers);
         let event = self.with_events.then(|| Column::words("event"));
-        let mut table = Table::new(own.chain(numbers).chain(event).collect());
+        let mut table = Table::new(of_motion.chain(numbers).chain(event).collect());
         for (listed, followed) in &self.motions {
             let name = self.has_names().then(|| listed.name(self.table).unwrap_or("").to_owned());
-            let own: Vec<String> = [listed.number.to_string()].into_iter().chain(name).collect();
+            let first: Vec<String> = [listed.number.to_string()].into_iter().chain(name).collect();
             for row in listed.motion.rows(&followed.solution, None) {
                 let (time, numbers, kind) = row.parts();
                 let kind = self.with_events.then(|| kind.to_owned());
                 table.row(
                     out,
-                    own.iter().cloned().chain(cells_of(time, numbers, None)).chain(kind).collect(),
+                    first.iter().cloned().chain(cells_of(time, numbers, None)).chain(kind).collect(),
                 )?;
             }
         }

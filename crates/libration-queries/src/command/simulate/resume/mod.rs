@@ -37,7 +37,7 @@ const LARGEST: usize = 1 << 30;
 pub(super) struct Earlier {
     question: RunParameters,
     /// The part of it that is kept; `None` if the earlier run did not complete its first step.
-    known: Option<(Mark, Rows)>,
+    kept: Option<(Mark, Rows)>,
     /// The unfinished file of a killed run, if the result is continued from that.
     _leftover: Option<Leftover>,
 }
@@ -88,9 +88,9 @@ impl Earlier {
             Ok(Destination::File(target)) => target,
             _ => path.to_owned(),
         };
-        let found = Self::read(&target, question, times);
+        let resumed = Self::read(&target, question, times);
         let reached = |earlier: &Self| earlier.mark().map_or(0.0, |mark| mark.checkpoint.time.abs());
-        let mut best = found;
+        let mut best = resumed;
         for leftover in leftover::beside(&target) {
             let Ok(other) = Self::of_csv(&leftover.path, question, times) else { continue };
             if best.as_ref().map_or(true, |best| reached(best) < reached(&other)) {
@@ -125,14 +125,14 @@ impl Earlier {
     fn of_csv(path: &Path, question: &RunParameters, times: &Times) -> Result<Self, ResumeError> {
         let state = State::read(&leftover::state_of(path))?;
         question.check(&state.question)?;
-        let known = state.mark.map(|mark| (mark.clone(), Rows::of_csv(path, &mark, question)));
-        if let Some((mark, rows)) = &known {
+        let kept = state.mark.map(|mark| (mark.clone(), Rows::of_csv(path, &mark, question)));
+        if let Some((mark, rows)) = &kept {
             let checksum = check_times(rows, mark, times)?;
             if checksum.value() != mark.checksum {
                 return Err(ResumeError::Changed { bytes: mark.bytes });
             }
         }
-        Ok(Self { question: state.question, known, _leftover: None })
+        Ok(Self { question: state.question, kept, _leftover: None })
     }
 
     fn of_json(path: &Path, question: &RunParameters, times: &Times) -> Result<Self, Unusable> {
@@ -142,7 +142,7 @@ impl Earlier {
         check_schema(&document)?;
         let state = State::from_json(&document["resume"]).ok_or(ResumeError::NotInAnswer)?;
         question.check(&state.question).map_err(ResumeError::from)?;
-        let known = match state.mark {
+        let kept = match state.mark {
             None => None,
             Some(mark) => {
                 let rows = Rows::of_json(&document, &mark).ok_or(ResumeError::NotInAnswer)?;
@@ -150,7 +150,7 @@ impl Earlier {
                 Some((mark, rows))
             }
         };
-        Ok(Self { question: state.question, known, _leftover: None })
+        Ok(Self { question: state.question, kept, _leftover: None })
     }
 
     /// The initial state, unless a different one is requested.
@@ -167,7 +167,7 @@ impl Earlier {
 
     /// The mark at which the continuation begins.
     pub(super) fn mark(&self) -> Option<&Mark> {
-        self.known.as_ref().map(|(mark, _)| mark)
+        self.kept.as_ref().map(|(mark, _)| mark)
     }
 
     /// Passes on the kept rows one after the other.
@@ -175,7 +175,7 @@ impl Earlier {
         &self,
         take: impl FnMut(&Happening) -> Result<(), QueryError>,
     ) -> Result<(), QueryError> {
-        self.known.as_ref().map_or(Ok(()), |(_, rows)| rows.each(take).map(|_| ()))
+        self.kept.as_ref().map_or(Ok(()), |(_, rows)| rows.each(take).map(|_| ()))
     }
 }
 

@@ -107,11 +107,11 @@ impl RunParameters {
                 "1",
                 "that in the coordinate of this name; left out where none has its own",
                 |parameters| {
-                    let own = parameters
+                    let tolerances = parameters
                         .own_tolerances
                         .iter()
-                        .map(|(name, own)| (name.clone(), json::number(*own)));
-                    (!parameters.own_tolerances.is_empty()).then(|| json::object(own))
+                        .map(|(name, tolerance)| (name.clone(), json::number(*tolerance)));
+                    (!parameters.own_tolerances.is_empty()).then(|| json::object(tolerances))
                 },
             ),
             Of::value("events[]", "", "events that are located", |parameters| {
@@ -130,9 +130,9 @@ impl RunParameters {
         let texts = |name: &str| -> Option<Vec<String>> {
             value[name].as_array()?.iter().map(|text| text.as_str().map(str::to_owned)).collect()
         };
-        let own = |(name, own): (&String, &Value)| Some((name.clone(), own.as_f64()?));
+        let tolerance_of = |(name, number): (&String, &Value)| Some((name.clone(), number.as_f64()?));
         let own_tolerances = match value["own_tolerances"].as_object() {
-            Some(all) => all.iter().map(own).collect::<Option<_>>()?,
+            Some(all) => all.iter().map(tolerance_of).collect::<Option<_>>()?,
             None => vec![],
         };
         Some(Self {

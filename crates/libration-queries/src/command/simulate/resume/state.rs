@@ -34,7 +34,7 @@ impl State {
     pub(crate) fn from_json(value: &Value) -> Option<Self> {
         let mark = match value.get("known")? {
             Value::Null => None,
-            known => Some(Mark::from_json(known)?),
+            mark => Some(Mark::from_json(mark)?),
         };
         Some(Self { question: RunParameters::from_json(&value["question"])?, mark })
     }
@@ -63,7 +63,9 @@ impl State {
 /// Checks that a document has the names of fields of this version.
 pub(super) fn check_schema(document: &Value) -> Result<(), ResumeError> {
     match document["schema"].as_u64() {
-        Some(found) if found != json::SCHEMA => Err(ResumeError::Schema { found, expected: json::SCHEMA }),
+        Some(schema) if schema != json::SCHEMA => {
+            Err(ResumeError::Schema { found: schema, expected: json::SCHEMA })
+        }
         _ => Ok(()),
     }
 }

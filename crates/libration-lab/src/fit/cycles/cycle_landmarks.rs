@@ -35,16 +35,16 @@ pub(super) struct CycleLandmarks {
 impl CycleLandmarks {
     /// The passages and extremes of stretches whose noise is in units of these uncertainties of the rows.
     pub(super) fn new(stretches: &[Landmarks], uncertainty: f64) -> Self {
-        let mut found = Self::default();
+        let mut landmarks = Self::default();
         for stretch in stretches {
-            let (passage, extreme) = (found.passages.len(), found.extremes.len());
+            let (passage, extreme) = (landmarks.passages.len(), landmarks.extremes.len());
             let cycles = stretch.passages.len().saturating_sub(2);
-            found.cycles.extend((0..cycles).map(|k| (passage + k, extreme + k)));
-            found.passages.extend(&stretch.passages);
+            landmarks.cycles.extend((0..cycles).map(|k| (passage + k, extreme + k)));
+            landmarks.passages.extend(&stretch.passages);
             let bright = |extreme: &Extreme| extreme.value.abs() >= FAINTEST * stretch.noise * uncertainty;
-            found.extremes.extend(stretch.extremes.iter().map(|extreme| extreme.filter(bright)));
+            landmarks.extremes.extend(stretch.extremes.iter().map(|extreme| extreme.filter(bright)));
         }
-        found
+        landmarks
     }
 
     /// The half swings by number, where they are known and do not lead over the top.
@@ -67,8 +67,8 @@ impl CycleLandmarks {
     /// The cycles that are complete.
     pub(super) fn rows(&self, half_swings: &[Option<HalfSwing>]) -> Vec<CycleRow> {
         let row = |&(passage, extreme): &(usize, usize)| {
-            let ends = [passage, passage + 2].map(|k| self.passages[k].map(|found| (k, found)));
-            let sides = [extreme, extreme + 1].map(|k| half_swings[k].map(|found| (k, found)));
+            let ends = [passage, passage + 2].map(|k| self.passages[k].map(|passage| (k, passage)));
+            let sides = [extreme, extreme + 1].map(|k| half_swings[k].map(|half_swing| (k, half_swing)));
             let ([Some(begin), Some(end)], [Some(one), Some(two)]) = (ends, sides) else { return None };
             let square = |x: f64| x * x;
             Some(CycleRow::new(
