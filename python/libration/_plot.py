@@ -9,14 +9,20 @@ if TYPE_CHECKING:
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00", "#56B4E9"]
 
 
+def pyplot() -> Any:
+    """The module of matplotlib that makes figures."""
+    try:
+        from matplotlib import pyplot
+    except ImportError as error:
+        raise ImportError("pictures need matplotlib: pip install 'libration[plot]'") from error
+    return pyplot
+
+
 def axes(ax: "Axes | None", labels: tuple[str, str]) -> "Axes":
     """The axes to draw into, with labels: those given, or new ones."""
     if ax is None:
-        try:
-            from matplotlib import pyplot
-        except ImportError as error:
-            raise ImportError("pictures need matplotlib: pip install 'libration[plot]'") from error
-        ax = pyplot.figure(layout="constrained").add_subplot()
+        new: Axes = pyplot().figure(layout="constrained").add_subplot()
+        ax = new
     ax.set_prop_cycle(color=COLOURS)
     ax.set_xlabel(labels[0])
     ax.set_ylabel(labels[1])
@@ -30,11 +36,14 @@ def legend(ax: "Axes") -> None:
     first: dict[str, Any] = {}
     for handle, label in zip(*ax.get_legend_handles_labels()):
         first.setdefault(label, handle)
+    # A letter is about half as wide as it is high; a sample is five letters wide.
+    room = ax.get_window_extent().width / ax.figure.dpi * 72 / (0.55 * 10)
+    columns = int(room / (5 + max(map(len, first), default=1)))
     ax.legend(
         list(first.values()),
         list(first),
         loc="lower left",
         bbox_to_anchor=(0, 1),
-        ncols=min(len(first), 4),
+        ncols=min(len(first), max(columns, 1)),
         frameon=False,
     )

@@ -38,7 +38,7 @@ pub(crate) struct Backbone {
     /// The order of the perturbation series
     #[arg(long, default_value = "9", value_parser = arguments::count::<MAX_ORDER>)]
     order: usize,
-    /// Draw the curves to FILE.svg, FILE.pdf or FILE.png instead of listing the points
+    /// Draw the curves to FILE.svg, .pdf, .png or .json instead of listing the points
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
@@ -76,8 +76,8 @@ impl BackboneResult {
 impl Backbone {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let answer = self.computed()?;
-        let (mut drawn, mut interruption) = (vec![], answer.interruption());
-        if let Some(path) = &self.figure {
+        let mut interruption = answer.interruption();
+        let drawn = figure::file::drawn(self.figure.as_deref(), &self.layout, || {
             let amplitudes = figure::backbone::amplitudes_of_curves(&answer.points);
             let sampled =
                 parallel::map_unless_cancelled(&amplitudes, "points of the curve", |amplitude, progress| {
@@ -99,9 +99,8 @@ impl Backbone {
                 .values
                 .iter()
                 .map(|(name, value)| format!("{} = {value}", figure::names::symbol(name)));
-            let picture = picture.with_parameters(values);
-            drawn.push(figure::file::write(path, &picture, &self.layout)?);
-        }
+            Ok(picture.with_parameters(values))
+        })?;
         match self.form.form() {
             Form::Json => write::json(out, &answer)?,
             Form::Csv => write::csv(out, &answer)?,
