@@ -25,7 +25,7 @@ CAP = 2.2
 """Half the length of the caps of error bars, in points."""
 MARKERS = {"circle": ("o", 2.0), "square": ("s", 1.8), "triangle": ("^", 2.2), "diamond": ("D", 1.84)}
 """Markers of matplotlib, with their size for a radius of one."""
-DEGREES = (1, 2, 5, 10, 15, 30, 45, 90, 180, 360)
+DEGREES = (1, 2, 5, 15, 30, 45, 90, 180, 360)
 MOST_TICKS = 8
 
 
@@ -65,7 +65,8 @@ def draw(chart: Data, ax: "Axes | Iterable[Axes] | None") -> Any:
         # A panel without a label of its own has that of a panel below.
         below = (it["x"]["label"] for it in panels[place:] if it["x"]["label"])
         is_shared = ax is None and _is_shared(panels, place)
-        _panel(panel, one, "" if is_shared else next(below, ""))
+        explained = [series for above in panels[:place] for series in above["series"]]
+        _panel(panel, one, "" if is_shared else next(below, ""), list(map(_name, explained)))
         one.tick_params(labelbottom=not is_shared)
     if len(drawn) == 1:
         return drawn[0]
@@ -100,16 +101,19 @@ def _new(chart: Data) -> "list[Axes]":
     for place, (upper, lower) in enumerate(zip(drawn, drawn[1:])):
         if _is_shared(panels, place):
             upper.sharex(lower)
-    title = textwrap.wrap(chart["title"], int(9 * width))
-    parameters = textwrap.wrap(", ".join(chart["parameters"]), int(12 * width))
-    if title:
-        figure.suptitle("\n".join(title), fontsize="medium")
-    if parameters:
-        drawn[0].set_title("\n".join(parameters), fontsize="small", color="#555555", loc="left")
+    texts = [chart["title"], ", ".join(chart["parameters"])]
+    lines = [line for text in texts for line in textwrap.wrap(text, int(12 * width))]
+    if lines:
+        figure.suptitle("\n".join(lines), fontsize="medium")
     return drawn
 
 
-def _panel(panel: Data, ax: "Axes", label: str) -> None:
+def _name(series: Data) -> Data:
+    """The name of a series with its look."""
+    return {name: it for name, it in series.items() if name[0] not in "xy"}
+
+
+def _panel(panel: Data, ax: "Axes", label: str, explained: Sequence[Data]) -> None:
     held = (*ax.get_xlim(), *ax.get_ylim()) if ax.has_data() else ()
     _plot.axes(ax, (label, panel["y"]["label"]))
     for place, name in enumerate("xy"):
@@ -118,9 +122,11 @@ def _panel(panel: Data, ax: "Axes", label: str) -> None:
         getattr(ax, f"set_{name}scale")("log" if axis["scale"] == "logarithmic" else "linear")
         getattr(ax, f"set_{name}lim")(min(ends), max(ends))
         _ticks(axis, getattr(ax, f"{name}axis"))
-    for series in panel["series"]:
-        _series(series, ax)
-    if any(series["label"] for series in panel["series"]):
+    # Names that a panel above explains are left out, as in the pictures of the command.
+    names = ["" if _name(it) in explained else it["label"] for it in panel["series"]]
+    for series, name in zip(panel["series"], names):
+        _series(series, name, ax)
+    if any(names):
         _plot.legend(ax)
 
 
@@ -130,13 +136,16 @@ def _ticks(axis: Data, drawn: "Axis") -> None:
     span, kind = axis["to"] - axis["from"], axis["ticks"]
     if axis["scale"] == "logarithmic":
         return
+    # Each label is the whole value.
+    drawn.set_major_formatter(ticker.ScalarFormatter(useOffset=False))
     if kind == "names":
         drawn.set_ticks(range(1, len(axis["names"]) + 1), axis["names"])
     elif kind == "whole":
         drawn.set_major_locator(ticker.MaxNLocator("auto", integer=True))
     elif kind == "degrees" and span > 20:
         turns = [360 * step for step in _decimal(span / 360)]
-        drawn.set_major_locator(ticker.MultipleLocator(_step(span, [*DEGREES, *turns])))
+        steps = sorted([*DEGREES, *turns, *([10] if span < 46 else [])])
+        drawn.set_major_locator(ticker.MultipleLocator(_step(span, steps)))
     elif kind == "half_turns" and span >= axis["half_turn"]:
         half = axis["half_turn"]
         step = _step(span / half, [0.25, 0.5, 1, *_decimal(span / half)])
@@ -152,7 +161,7 @@ def _decimal(span: float) -> list[float]:
 
 def _step(span: float, steps: Sequence[float]) -> float:
     """The smallest step that gives few enough ticks."""
-    return next((step for step in steps if span / step < MOST_TICKS), steps[-1])
+    return next((step for step in steps if span / step <= MOST_TICKS), steps[-1])
 
 
 def _of_pi(half_turns: float) -> str:
@@ -165,7 +174,7 @@ def _of_pi(half_turns: float) -> str:
     return f"{sign}{times}π{end}" if numerator else "0"
 
 
-def _series(series: Data, ax: "Axes") -> None:
+def _series(series: Data, label: str, ax: "Axes") -> None:
     x, y = _numbers(series["x"]), _numbers(series["y"])
     spreads = {
         f"{name}err": _numbers(series[f"{name}_uncertainty"])
@@ -173,7 +182,7 @@ def _series(series: Data, ax: "Axes") -> None:
         if f"{name}_uncertainty" in series
     }
     # matplotlib leaves such labels out of the legend.
-    look: Data = {"color": series["colour"], "label": series["label"] or "_"}
+    look: Data = {"color": series["colour"], "label": label or "_"}
     if series["mark"] == "band":
         half = spreads.get("yerr", np.zeros_like(y))
         ax.fill_between(x, y - half, y + half, alpha=series["opacity"], linewidth=0, **look)
@@ -186,13 +195,13 @@ def _series(series: Data, ax: "Axes") -> None:
         ax.plot(x, y, linewidth=POINTS * width, linestyle=style, **look)
         return
     marker, size = MARKERS[series["mark"]]
-    look |= {"linestyle": "", "marker": marker, "markeredgewidth": 0}
+    look |= {"linestyle": "", "marker": marker}
     look["markersize"] = POINTS * size * series["marker_radius"]
     if spreads:
         bars = {"elinewidth": POINTS, "capthick": POINTS, "capsize": CAP}
-        ax.errorbar(x, y, **spreads, **bars, **look)
+        ax.errorbar(x, y, **spreads, **bars, **look).lines[0].set_markeredgewidth(0)
     else:
-        ax.plot(x, y, **look)
+        ax.plot(x, y, markeredgewidth=0, **look)
 
 
 def _numbers(column: list[Any]) -> NDArray[np.float64]:

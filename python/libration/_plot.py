@@ -2,6 +2,8 @@
 
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
@@ -36,14 +38,22 @@ def legend(ax: "Axes") -> None:
     first: dict[str, Any] = {}
     for handle, label in zip(*ax.get_legend_handles_labels()):
         first.setdefault(label, handle)
-    # A letter is about half as wide as it is high; a sample is five letters wide.
-    room = ax.get_window_extent().width / ax.figure.dpi * 72 / (0.55 * 10)
-    columns = int(room / (5 + max(map(len, first), default=1)))
+    font: float = pyplot().rcParams["font.size"]
+    room = ax.get_window_extent().width / ax.figure.dpi * 72 / font
+    widths = [0.52 * len(label) + 2.8 for label in first]
+    columns = next(n for n in range(len(first), 0, -1) if n == 1 or _width(widths, n) <= room)
     ax.legend(
         list(first.values()),
         list(first),
         loc="lower left",
         bbox_to_anchor=(0, 1),
-        ncols=min(len(first), max(columns, 1)),
+        ncols=columns,
         frameon=False,
     )
+
+
+def _width(widths: list[float], columns: int) -> float:
+    """The approximate width of a legend, in letter heights; entries go down its columns."""
+    long, longer = divmod(len(widths), columns)
+    ends = np.cumsum([0] + [long + (place < longer) for place in range(columns)])
+    return sum(max(widths[a:b]) for a, b in zip(ends, ends[1:])) + 2.0 * (columns - 1)

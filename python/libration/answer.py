@@ -376,7 +376,7 @@ def _array(values: list[Any]) -> Any:
 @cache
 def descriptions() -> dict[str, list[tuple[str, str, str]]]:
     """Name, unit and meaning of the fields of each command, as in `libration fields`."""
-    text, _, _ = _native.ask(["fields", "--json"])
+    text, *_ = _native.ask(["fields", "--json"])
     found: dict[str, list[tuple[str, str, str]]] = {}
     for command in json.loads(text)["commands"]:
         fields = [(it["name"], it["unit"], it["meaning"]) for it in command["json"]]

@@ -85,7 +85,7 @@ def test_the_input_stands_for_a_file():
 
 
 def test_ctrl_c_ends_an_answer_and_keeps_what_is_done():
-    answer, _, error = alarmed(
+    answer, _, error, _ = alarmed(
         0.3, lambda: _native.ask(["expand", "pendulum", "--order", "999", "--json"])
     )
     assert isinstance(error, KeyboardInterrupt)

@@ -95,15 +95,21 @@ def of_labels(ax):
     return [it for it in ax.get_legend_handles_labels()[1] if it]
 
 
-def is_drawn(panel, ax):
+def name_of(series):
+    return [series[name] for name in sorted(series) if name[0] not in "xy"]
+
+
+def is_drawn(panel, ax, above=()):
     """Asserts that axes have the limits, curves, points, labels and error bars of a panel."""
+    explained = [name_of(series) for it in above for series in it["series"]]
     for name in "xy":
         axis = panel[name]
         assert getattr(ax, f"get_{name}lim")() == pytest.approx((axis["from"], axis["to"]))
         scale = "log" if axis["scale"] == "logarithmic" else "linear"
         assert getattr(ax, f"get_{name}scale")() == scale
     assert ax.get_ylabel() == panel["y"]["label"]
-    named = [series["label"] for series in panel["series"] if series["label"]]
+    new = [series for series in panel["series"] if name_of(series) not in explained]
+    named = [series["label"] for series in new if series["label"]]
     assert sorted(of_labels(ax)) == sorted(named)
     shown = [text.get_text() for text in ax.get_legend().get_texts()] if named else []
     assert sorted(shown) == sorted(dict.fromkeys(named))
@@ -134,16 +140,17 @@ def test_a_plot_draws_the_chart(name, pyplot):
     axes = answer.plot()
     drawn = axes if isinstance(axes, np.ndarray) else [axes]
     assert len(drawn) == len(chart["panels"]) and isinstance(axes, np.ndarray) == (len(drawn) > 1)
-    for panel, ax in zip(chart["panels"], drawn):
-        is_drawn(panel, ax)
-    assert " ".join(drawn[0].figure.get_suptitle().split()) == chart["title"]
+    for place, (panel, ax) in enumerate(zip(chart["panels"], drawn)):
+        is_drawn(panel, ax, chart["panels"][:place])
+    title = " ".join(drawn[0].figure.get_suptitle().split())
+    assert title == " ".join([chart["title"], ", ".join(chart["parameters"])]).strip()
     assert drawn[-1].get_xlabel()
     drawn[0].figure.canvas.draw()
     _, given = pyplot.subplots(len(drawn), 1, squeeze=False)
     again = answer.plot(given[:, 0])
-    for panel, ax, own in zip(chart["panels"], np.ravel(again), given[:, 0]):
-        assert ax is own and ax.get_xlabel() and not ax.figure.get_suptitle()
-        is_drawn(panel, ax)
+    for place, (panel, ax) in enumerate(zip(chart["panels"], np.ravel(again))):
+        assert ax is given[place, 0] and ax.get_xlabel() and not ax.figure.get_suptitle()
+        is_drawn(panel, ax, chart["panels"][:place])
 
 
 def test_all_commands_that_draw_are_tested():

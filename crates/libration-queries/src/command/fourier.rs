@@ -52,8 +52,9 @@ impl Fourier {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let motion = arguments::motion(&self.pendulum.pendulum()?, self.angle, self.velocity)?;
         let harmonics = self.harmonics_of(&motion)?;
-        let drawn =
-            self.picture.drawn(|| spectrum::of_motion(&harmonics).with_parameters(self.made_with()))?;
+        let (own, made_with) = (harmonics.clone(), self.made_with());
+        let picture = move || spectrum::of_motion(&own).with_parameters(made_with.clone());
+        let drawn = self.picture.drawn(picture)?;
         match self.form.form() {
             Form::Json => self.write_json(out, &motion, &harmonics)?,
             Form::Csv => write_csv(out, &harmonics)?,

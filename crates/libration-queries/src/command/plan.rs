@@ -102,7 +102,10 @@ impl PlanQuestion {
         };
         let found = plan(&recording, self.g_to, &self.amplitudes.0);
         let found = found.map_err(|error| QueryError::no_result("plan", error))?;
-        let drawn = self.picture.drawn(|| figure::plan::plan(&found))?;
+        let drawn = self.picture.drawn({
+            let own = found.clone();
+            move || figure::plan::plan(&own)
+        })?;
         match self.form.form() {
             Form::Json => json::document(out, of_plan().record(&found))?,
             Form::Csv => write_csv(out, &found)?,

@@ -15,12 +15,11 @@ pub(crate) fn file(picture: &Picture) -> Result<Vec<u8>, String> {
     Ok(text(picture).into_bytes())
 }
 
-/// Passes the picture to the host, if it takes charts.
-pub(crate) fn pass(picture: &Picture, layout: &Layout) {
-    let call = call::current();
+/// Passes a picture to the host, if it takes charts; it is made when the host reads it.
+pub(crate) fn pass(layout: &Layout, picture: impl Fn() -> Picture + Send + Sync + 'static) {
+    let (call, layout) = (call::current(), layout.clone());
     if call.host().takes_chart() {
-        let picture = layout.content(picture).into_owned();
-        call.host().chart(Box::new(move || text(&picture)));
+        call.host().chart(Box::new(move || text(&layout.content(&picture()))));
     }
 }
 

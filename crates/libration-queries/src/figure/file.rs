@@ -44,6 +44,19 @@ pub(crate) fn drawn(
     }
 }
 
+/// The same for a picture that takes time: for the host it is made when the chart is read.
+pub(crate) fn drawn_later(
+    path: Option<&Path>,
+    layout: &Layout,
+    picture: impl Fn() -> Picture + Send + Sync + 'static,
+) -> Result<Vec<String>, QueryError> {
+    if path.is_some() {
+        return finished(path, layout, &picture());
+    }
+    data::pass(layout, picture);
+    Ok(vec![])
+}
+
 /// Draws a picture into its file and passes it to the host in the same way.
 pub(crate) fn finished(
     path: Option<&Path>,
@@ -51,7 +64,10 @@ pub(crate) fn finished(
     picture: &Picture,
 ) -> Result<Vec<String>, QueryError> {
     let sentence = path.map(|path| write(path, picture, layout)).transpose()?;
-    data::pass(picture, layout);
+    if is_drawn(None) {
+        let own = picture.clone();
+        data::pass(layout, move || own.clone());
+    }
     Ok(sentence.into_iter().collect())
 }
 

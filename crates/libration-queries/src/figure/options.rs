@@ -22,12 +22,15 @@ pub(crate) struct PictureOptions {}
 impl PictureOptions {
     /// Draws the picture where it is requested; the sentence about its file.
     #[cfg(not(target_family = "wasm"))]
-    pub(crate) fn drawn(&self, picture: impl FnOnce() -> Picture) -> Result<Vec<String>, QueryError> {
-        super::file::drawn(self.figure.as_deref(), &self.layout, || Ok(picture()))
+    pub(crate) fn drawn(
+        &self,
+        picture: impl Fn() -> Picture + Send + Sync + 'static,
+    ) -> Result<Vec<String>, QueryError> {
+        super::file::drawn_later(self.figure.as_deref(), &self.layout, picture)
     }
 
     #[cfg(target_family = "wasm")]
-    pub(crate) fn drawn(&self, _: impl FnOnce() -> Picture) -> Result<Vec<String>, QueryError> {
+    pub(crate) fn drawn(&self, _: impl Fn() -> Picture) -> Result<Vec<String>, QueryError> {
         Ok(vec![])
     }
 }

@@ -9,4 +9,4 @@ pub(crate) fn file<T>(_: &T) -> Result<Vec<u8>, String> {
 }
 
 /// The page takes no charts.
-pub(crate) fn pass(_: &Picture, _: &Layout) {}
+pub(crate) fn pass(_: &Layout, _: impl Fn() -> Picture) {}

@@ -90,13 +90,16 @@ impl Decay {
         if let Some(slow) = &slow {
             report.compare_with(slow);
         }
-        let drawn = figure::file::drawn(self.figure.as_deref(), &self.layout, || {
-            let turns: Vec<&TurningPoint> = report.turns.iter().map(|turn| &turn.point).collect();
+        let drawn = figure::file::drawn_later(self.figure.as_deref(), &self.layout, {
+            let turns: Vec<TurningPoint> = report.turns.iter().map(|turn| turn.point).collect();
             let cycles = report.rows(&decay).filter_map(|row| row.whole);
             let cycles: Vec<MeasuredCycle> =
                 cycles.map(|Cycle { middle, duration, .. }| MeasuredCycle { middle, duration }).collect();
-            let picture = figure::decay::dying_swings(&decay, slow.as_ref(), &turns, &cycles);
-            Ok(picture.with_parameters(self.made_with(&decay)))
+            let (made_with, decay, slow) = (self.made_with(&decay), decay.clone(), slow.clone());
+            move || {
+                figure::decay::dying_swings(&decay, slow.as_ref(), &turns, &cycles)
+                    .with_parameters(made_with.clone())
+            }
         })?;
         let given = self.omega0.is_none().then_some(self.pendulum);
         let listed = drawn.is_empty();

@@ -13,6 +13,7 @@ use fields::{Estimate, Swing};
 use libration::period_formulas::{PeriodFormula, fractional_errors};
 use libration::quantity::Angle;
 use std::io::Write;
+use std::sync::Arc;
 use table::SwingsTable;
 
 pub(crate) use fields::answers;
@@ -63,10 +64,11 @@ impl Period {
             true => self.pendulum.with_uncertainty()?,
             false => (self.pendulum.pendulum()?, 0.0),
         };
-        let amplitudes = self.amplitudes.read(&pendulum, of_small_swings)?;
+        let amplitudes = Arc::new(self.amplitudes.read(&pendulum, of_small_swings)?);
         interrupt::listen()?;
         let swings = SwingsTable { question: self, amplitudes: &amplitudes, pendulum: &pendulum };
-        let drawn = self.picture.drawn(|| swings.picture())?;
+        let (own, options) = (Arc::clone(&amplitudes), self.pendulum);
+        let drawn = self.picture.drawn(move || table::picture(&own, &pendulum, options))?;
         match self.form.form() {
             Form::Json => swings.write_json(out)?,
             Form::Csv => swings.write_csv(out)?,

@@ -2,7 +2,7 @@
 
 use super::fields::{self, DIGITS, Estimate, SMALL_ANGLE_PERIOD, Swing};
 use super::{Period, estimates};
-use crate::arguments::Amplitudes;
+use crate::arguments::{Amplitudes, PendulumOptions};
 use crate::figure::chart::{Picture, Point};
 use crate::figure::{parameters, swing_periods};
 use crate::output::json::{self, Record};
@@ -26,19 +26,6 @@ pub(super) struct SwingsTable<'a> {
 const PIECE: usize = 512;
 
 impl SwingsTable<'_> {
-    /// The exact period against the amplitude.
-    pub(super) fn picture(&self) -> Picture {
-        let given: Vec<_> = self.amplitudes.iter().collect();
-        let point = |swing: &Swing| Point {
-            x_uncertainty: swing.uncertainty.map(f64::to_degrees),
-            ..Point::new(swing.amplitude.angle().degrees(), swing.exact.period)
-        };
-        let points = Swing::all(&given, self.pendulum).iter().map(point).collect();
-        let pendulum = self.question.pendulum;
-        swing_periods::swing_periods(self.pendulum, points)
-            .with_parameters(parameters::of_pendulum(pendulum.length(), pendulum.gravity()))
-    }
-
     pub(super) fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         let Self { question, amplitudes, pendulum } = *self;
         let period = (SMALL_ANGLE_PERIOD, number::seconds(pendulum.small_angle_period(), DIGITS));
@@ -122,4 +109,16 @@ impl SwingsTable<'_> {
             hand_on(&text)
         })
     }
+}
+
+/// The exact period against the amplitude.
+pub(super) fn picture(amplitudes: &Amplitudes, pendulum: &Pendulum, options: PendulumOptions) -> Picture {
+    let given: Vec<_> = amplitudes.iter().collect();
+    let point = |swing: &Swing| Point {
+        x_uncertainty: swing.uncertainty.map(f64::to_degrees),
+        ..Point::new(swing.amplitude.angle().degrees(), swing.exact.period)
+    };
+    let points = Swing::all(&given, pendulum).iter().map(point).collect();
+    swing_periods::swing_periods(pendulum, points)
+        .with_parameters(parameters::of_pendulum(options.length(), options.gravity()))
 }
