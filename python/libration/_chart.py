@@ -23,7 +23,12 @@ POINTS = 0.75
 """Lengths of charts are in units of 1/96 inch, those of matplotlib in points."""
 CAP = 2.2
 """Half the length of the caps of error bars, in points."""
-MARKERS = {"circle": ("o", 2.0), "square": ("s", 1.8), "triangle": ("^", 2.2), "diamond": ("D", 1.84)}
+MARKERS = {
+    "circle": ("o", 2.0),
+    "square": ("s", 1.8),
+    "triangle": ("^", 2.2),
+    "diamond": ("D", 1.84),
+}
 """Markers of matplotlib, with their size for a radius of one."""
 DEGREES = (1, 2, 5, 15, 30, 45, 90, 180, 360)
 MOST_TICKS = 8
@@ -38,7 +43,8 @@ def content(answer: "Answer") -> Data:
         if error is not None:
             raise error
     if drawing is None:
-        raise TypeError(f"there is no picture of this result of `{question.command}`{_hint(answer)}")
+        why = f"there is no picture of this result of `{question.command}`"
+        raise TypeError(why + _hint(answer))
     return read(drawing)
 
 
@@ -76,7 +82,8 @@ def draw(chart: Data, ax: "Axes | Iterable[Axes] | None") -> Any:
 
 
 def _given(panels: Sequence[Data], ax: "Axes | Iterable[Axes]") -> "list[Axes]":
-    given = [ax] if hasattr(ax, "plot") else list(np.ravel(np.asarray(ax, dtype=object)))
+    is_one = hasattr(ax, "plot")
+    given: list[Axes] = [ax] if is_one else list(np.ravel(np.asarray(ax, dtype=object)))
     if len(given) != len(panels):
         wanted = "one Axes" if len(panels) == 1 else f"a sequence of {len(panels)} Axes"
         number = f"{len(panels)} panel" + ("s" if len(panels) > 1 else "")
@@ -176,7 +183,7 @@ def _of_pi(half_turns: float) -> str:
 
 def _series(series: Data, label: str, ax: "Axes") -> None:
     x, y = _numbers(series["x"]), _numbers(series["y"])
-    spreads = {
+    spreads: Data = {
         f"{name}err": _numbers(series[f"{name}_uncertainty"])
         for name in "xy"
         if f"{name}_uncertainty" in series
@@ -198,7 +205,7 @@ def _series(series: Data, label: str, ax: "Axes") -> None:
     look |= {"linestyle": "", "marker": marker}
     look["markersize"] = POINTS * size * series["marker_radius"]
     if spreads:
-        bars = {"elinewidth": POINTS, "capthick": POINTS, "capsize": CAP}
+        bars: Data = {"elinewidth": POINTS, "capthick": POINTS, "capsize": CAP}
         ax.errorbar(x, y, **spreads, **bars, **look).lines[0].set_markeredgewidth(0)
     else:
         ax.plot(x, y, markeredgewidth=0, **look)

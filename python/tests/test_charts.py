@@ -177,7 +177,7 @@ def test_the_chart_is_that_of_the_command(name, tmp_path):
 def test_axes_must_be_as_many_as_panels(pyplot):
     decay = DRAWN["decay"]()
     _, ax = pyplot.subplots()
-    with pytest.raises(TypeError, match="got 1 Axes: the picture has 2 panels; give a sequence of 2"):
+    with pytest.raises(TypeError, match="got 1 Axes: the picture has 2 panels; give a seq"):
         decay.plot(ax)
     _, several = pyplot.subplots(3)
     with pytest.raises(TypeError, match="got 3 Axes: the picture has 2 panels"):
