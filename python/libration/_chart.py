@@ -83,7 +83,7 @@ def draw(chart: Data, ax: "Axes | Iterable[Axes] | None") -> Any:
 
 def _given(panels: Sequence[Data], ax: "Axes | Iterable[Axes]") -> "list[Axes]":
     is_one = hasattr(ax, "plot")
-    given: list[Axes] = [ax] if is_one else list(np.ravel(np.asarray(ax, dtype=object)))
+    given: list[Any] = [ax] if is_one else list(np.ravel(np.asarray(ax, dtype=object)))
     if len(given) != len(panels):
         wanted = "one Axes" if len(panels) == 1 else f"a sequence of {len(panels)} Axes"
         number = f"{len(panels)} panel" + ("s" if len(panels) > 1 else "")
