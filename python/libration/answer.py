@@ -292,7 +292,8 @@ class Answer(Fields):
         --------
         >>> import libration as lb
         >>> chart = lb.questions.motion("60deg").chart()
-        >>> chart["panels"][0]["y"]["label"], chart["panels"][0]["series"][0]["x"][:2]
+        >>> chart["panels"][0]["y"]["label"], chart["panels"][0]["y"]["ticks"]
+        ('angle θ / degrees', 'degrees')
         """
         return _chart.content(self)
 
