@@ -398,15 +398,23 @@ def answered(
     UsageError, NoAnswer
         The error messages of the command.
     """
+    answer, error, _ = charted(question, form, progress, chart=False)
+    return answer, error
+
+
+def charted(
+    question: Asked, form: Iterable[str], progress: Say = False, *, chart: bool = True
+) -> "tuple[str, BaseException | None, _native.Chart | None]":
+    """The same with the chart of the result, if it has one: it is made in the same run."""
     count = len(question.command.split())
     words = [*question.words[:count], *form, *question.words[count:]]
     with spoken(progress, question.command) as tell:
-        answer, notes, error = _native.ask(words, question.input, tell)
+        answer, notes, error, drawing = _native.ask(words, question.input, tell, chart)
     for note in notes:
         warnings.warn(note, stacklevel=outside())
     if error is not None and not isinstance(error, KeyboardInterrupt):
         raise error
-    return answer, error
+    return answer, error, drawing
 
 
 def text(words: str, given: Mapping[str, Any], progress: Say = False) -> str:

@@ -76,11 +76,16 @@ _Motion: TypeAlias = tuple[str, _Pairs, _Pairs, _Pairs, tuple[str, str] | None, 
 def simulate(
     question: _Motion, times: NDArray[float64], errors: bool, progress: _Tell | None
 ) -> tuple[Simulation, BaseException | None]: ...
+@final
+class Chart:
+    def json(self) -> str: ...
+
 def ask(
     arguments: Sequence[str],
     input: bytes | None = None,
     progress: Callable[[str], object] | None = None,
-) -> tuple[str, list[str], BaseException | None]: ...
+    chart: bool = False,
+) -> tuple[str, list[str], BaseException | None, Chart | None]: ...
 def questions(
     
 ) -> list[tuple[str, str, str, list[tuple[str, str, str, bool, bool, list[str], str, str]]]]: ...

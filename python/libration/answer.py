@@ -20,8 +20,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _native
-from ._ask import TABLE, Asked, answered, asked
-from ._pictures import draw
+from . import _chart
+from ._ask import TABLE, Asked, answered, asked, charted
 from .errors import Interrupted
 from .picture import Picture
 
@@ -163,12 +163,16 @@ class Answer(Fields):
     ``answer.field`` the same with arrays and `Rows`.
     """
 
-    __slots__ = ("_asked",)
+    __slots__ = ("_asked", "_drawing")
     _asked: Asked
+    _drawing: "_native.Chart | None"
 
-    def __init__(self, fields: Mapping[str, Any], asked: Asked) -> None:
+    def __init__(
+        self, fields: Mapping[str, Any], asked: Asked, drawing: "_native.Chart | None" = None
+    ) -> None:
         super().__init__(fields)
         object.__setattr__(self, "_asked", asked)
+        object.__setattr__(self, "_drawing", drawing)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self._fields, self._asked)
@@ -274,9 +278,43 @@ class Answer(Fields):
             raise Interrupted(text or None) from error
         return text
 
-    def plot(self, ax: "Axes | None" = None) -> "Axes":
-        """Draws the result with matplotlib, where the command has a picture for it."""
-        return draw(self, ax)
+    def chart(self) -> dict[str, Any]:
+        """The content of the picture as data, for other programs: that of ``--figure FILE.json``.
+
+        It was found with the result; a result that was pickled is computed again for it.
+
+        Raises
+        ------
+        TypeError
+            The result has no picture.
+
+        Examples
+        --------
+        >>> import libration as lb
+        >>> chart = lb.questions.motion("60deg").chart()
+        >>> chart["panels"][0]["y"]["label"], chart["panels"][0]["y"]["ticks"]
+        ('angle θ / degrees', 'degrees')
+        """
+        return _chart.content(self)
+
+    def plot(self, ax: "Axes | Iterable[Axes] | None" = None) -> Any:
+        """Draws the picture of the result with matplotlib.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, or a sequence of as many as the picture has panels
+            The axes to draw into; a new figure with a title, if they are not given.
+
+        Returns
+        -------
+        matplotlib.axes.Axes, or an array of them if there are several panels
+
+        Raises
+        ------
+        TypeError
+            The result has no picture, or another number of panels than there are axes.
+        """
+        return _chart.draw(_chart.content(self), ax)
 
     def _repr_html_(self) -> str:
         described = {name: rest for name, *rest in descriptions().get(self._asked.command, [])}
@@ -301,11 +339,12 @@ def answer(kind: type[A], words: str, given: Mapping[str, Any]) -> A:
     UsageError, NoAnswer, Interrupted
     """
     question = asked(words, given)
-    text, error = answered(question, ["--json"], given.get("progress") or False)
+    text, error, drawing = charted(question, ["--json"], given.get("progress") or False)
     fields = json.loads(text) if text.startswith("{") else {}
     if error is not None:
-        raise Interrupted(kind(fields, question) if fields else None) from error
-    return kind(fields, question)
+        partial = kind(fields, question, drawing) if fields else None
+        raise Interrupted(partial) from error
+    return kind(fields, question, drawing)
 
 
 def _seen(value: Any) -> Any:
@@ -338,7 +377,7 @@ def _array(values: list[Any]) -> Any:
 @cache
 def descriptions() -> dict[str, list[tuple[str, str, str]]]:
     """Name, unit and meaning of the fields of each command, as in `libration fields`."""
-    text, _, _ = _native.ask(["fields", "--json"])
+    text, *_ = _native.ask(["fields", "--json"])
     found: dict[str, list[tuple[str, str, str]]] = {}
     for command in json.loads(text)["commands"]:
         fields = [(it["name"], it["unit"], it["meaning"]) for it in command["json"]]

@@ -9,11 +9,15 @@
 import json
 import os
 import tempfile
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any
 
-from ._ask import Asked, Path, answered, asked
+from . import _chart, _native
+from ._ask import Asked, Path, asked, charted
 from .errors import Interrupted
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 __all__ = ["Picture"]
 
@@ -21,7 +25,8 @@ __all__ = ["Picture"]
 class Picture:
     """A picture; a notebook shows it."""
 
-    __slots__ = ("_asked", "_option", "svg")
+    __slots__ = ("_asked", "_drawing", "_option", "svg")
+    _drawing: "_native.Chart | None"
 
     def __init__(
         self, question: Asked, option: str, layout: Mapping[str, Any], progress: Any = False
@@ -32,7 +37,8 @@ class Picture:
         """The picture as text."""
 
     def _drawn(self, file: str, form: list[str], progress: Any = False) -> str:
-        text, error = answered(self._asked, [f"--{self._option}={file}", *form], progress)
+        words = [f"--{self._option}={file}", *form]
+        text, error, self._drawing = charted(self._asked, words, progress)
         if error is not None:
             raise Interrupted(text or None) from error
         return text
@@ -44,8 +50,16 @@ class Picture:
         return f"<picture of {self._asked.command}, {len(self.svg)} bytes of SVG>"
 
     def save(self, file: Path) -> None:
-        """Writes it to a file whose name ends in .svg, .pdf or .png."""
+        """Writes it to a file whose name ends in .svg, .pdf, .png or .json."""
         self._drawn(os.fspath(file), [])
+
+    def chart(self) -> dict[str, Any]:
+        """The content of the picture as data, for other programs: that of a file .json."""
+        return _chart.read(self._drawing)
+
+    def plot(self, ax: "Axes | Iterable[Axes] | None" = None) -> Any:
+        """Draws the picture with matplotlib, as `Answer.plot` does."""
+        return _chart.draw(self.chart(), ax)
 
     def to_dict(self) -> dict[str, Any]:
         """The content of the picture as numbers: the JSON of the command."""

@@ -3,7 +3,6 @@
 import copy
 import json
 import pickle
-from pathlib import Path
 from collections.abc import Mapping
 
 import numpy as np
@@ -66,105 +65,6 @@ def test_html_tables_of_many_rows_are_short():
     answer = questions.motion("60deg", times="0:100:0.1")
     assert answer._repr_html_().count("<tr>") < 40
     assert "1001 rows, of which the first 12 are shown" in answer._repr_html_()
-
-
-DRAWN = {
-    "decay": lambda: lb.decay("60deg", linear=0.1, cycles=2),
-    "period": lambda: questions.period("10deg:170deg:20deg"),
-    "motion": lambda: questions.motion("60deg"),
-    "fourier": lambda: questions.fourier("170deg"),
-    "plan": lambda: lb.lab.plan(g_to=1e-3, length="1.00(1) m", angle_noise="0.2deg", rate=60),
-    "backbone": lambda: lb.backbone("duffing", amplitudes=[0.5, 1]),
-    "simulate": lambda: questions.simulate(
-        "double_pendulum", initial={"theta1": 1}, times="0:2:0.1"
-    ),
-    "modes": lambda: lb.modes("double_pendulum"),
-    "orbit": lambda: lb.orbit(
-        "double_pendulum", initial={"theta1": 0.1, "theta2": 0.141}, period=8
-    ),
-    "resonance": lambda: lb.resonance(
-        "x'' = -x - x*y; y'' = -4.1*y - x^2/2", order=2, initial={"x": 0.1, "y": 0.02}
-    ),
-    "melnikov": lambda: lb.melnikov("driven_pendulum", set={"A": 0.3, "c": 0.1, "omega": 1}),
-    "response": lambda: lb.response(
-        "driven_pendulum", set={"A": 0.15, "c": 0.1}, over="omega=0.7:0.95", sweeps=5
-    ),
-    "stability": lambda: lb.stability(
-        "kapitza", set={"c": 0.1}, map="omega=5:6,a=0.1:0.4", initial={"theta": "180deg"}, lines=0
-    ),
-    "section": lambda: lb.section(
-        "driven_pendulum", set={"A": 1.5, "c": 0.5}, initial={"theta": 0.2}, points=3, skip=0
-    ),
-    "bifurcation": lambda: lb.bifurcation(
-        "driven_pendulum",
-        set={"c": 0.5},
-        over="A=1:1.1:0.1",
-        initial={"theta": 0.2},
-        points=2,
-        skip=0,
-        sweep="both",
-    ),
-    "lyapunov": lambda: lb.lyapunov("pendulum", initial={"theta": 1}, intervals=30),
-    "inspect": lambda: lb.lab.spectrum(Path(__file__).parents[2] / "examples/swing_synthetic.csv"),
-    "fit gates": lambda: lb.lab.fit_gates(
-        {"t (s)": np.arange(1, 30) * 1.01 + 1e-4 * np.sin(np.arange(29) ** 2)},
-        amplitude=0.2,
-        signals="passages",
-    ),
-    "fit response": lambda: lb.lab.fit_response(
-        Path(__file__).parents[2] / "examples/response_synthetic.csv", model="pendulum"
-    ),
-    "fit trace": lambda: lb.lab.fit_trace(
-        lb.lab.recording(
-            t=np.arange(0, 9, 0.05),
-            angle=0.5 * np.cos(3.1 * np.arange(0, 9, 0.05)) + 1e-3 * np.sin(np.arange(180) ** 2),
-        ),
-        model="undamped",
-    ),
-}
-
-
-@pytest.mark.parametrize("name", DRAWN)
-def test_they_are_drawn(name):
-    pytest.importorskip("matplotlib").use("agg")
-    from matplotlib import pyplot
-
-    answer = DRAWN[name]()
-    ax = answer.plot()
-    assert ax.lines and ax.get_xlabel() and ax.get_ylabel()
-    for line in ax.lines:
-        assert len(line.get_xdata()) > 0
-    assert answer.plot(ax) is ax
-    pyplot.close("all")
-
-
-def test_a_followed_mode_is_drawn_with_its_stability():
-    pytest.importorskip("matplotlib").use("agg")
-    answer = lb.modes("double_pendulum", follow=2, amplitudes=["30deg", "50deg", "60deg"])
-    lines = {line.get_label(): line for line in answer.plot().lines}
-    assert np.degrees(lines["stable"].get_xdata()).round(9).tolist() == [30, 50]
-    assert np.degrees(lines["unstable"].get_xdata()).round(9).tolist() == [60]
-    np.testing.assert_array_equal(
-        lines["ω + κa²"].get_ydata(), answer.points.series_angular_frequency_rad_per_s
-    )
-
-
-def test_what_a_file_holds_has_no_picture_but_its_harmonics_have():
-    with pytest.raises(TypeError, match=r"lab\.spectrum"):
-        lb.lab.read(Path(__file__).parents[2] / "examples/swing_synthetic.csv").plot()
-
-
-def test_all_pictures_are_tested():
-    from libration._pictures import PICTURES
-
-    assert set(PICTURES) == set(DRAWN)
-
-
-def test_what_has_no_picture_says_so():
-    with pytest.raises(
-        TypeError, match="no plot of the result of `list`: there are some of period, motion"
-    ):
-        lb.list_("lorenz").plot()
 
 
 def test_the_picture_of_the_command_is_there_too(decay, tmp_path):
@@ -236,12 +136,6 @@ def test_columns_of_lists_go_to_pandas_and_xarray():
     assert modes.to_pandas()["shape"].tolist()[0].tolist() == modes["modes"][0]["shape"]
     assert isinstance(modes.to_xarray(), xarray.Dataset)
     assert modes.to_xarray()["shape"].dims == ("row", "shape_1")
-
-
-def test_what_the_command_draws_is_said_to_be_there():
-    table = {"amplitude (deg)": [10, 30, 50, 70], "period (s)": [2.0075, 2.0399, 2.1033, 2.2054]}
-    with pytest.raises(TypeError, match=r"picture\(\) has that of the command"):
-        lb.lab.fit_periods(table).plot()
 
 
 def test_a_missing_field_names_those_that_exist():

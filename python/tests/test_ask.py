@@ -31,7 +31,7 @@ QUESTIONS = [
 
 @pytest.mark.parametrize("arguments", QUESTIONS, ids=" ".join)
 def test_answers_are_those_of_the_command(arguments):
-    answer, notes, error = _native.ask(arguments)
+    answer, notes, error, _ = _native.ask(arguments)
     told = program(*arguments)
     assert (answer, notes, error) == (told.stdout, [], None)
     assert told.returncode == 0 and answer
@@ -60,7 +60,7 @@ def test_many_amplitudes_have_what_each_has_alone():
     ],
 )
 def test_errors_have_the_message_of_the_command(arguments, kind, status):
-    answer, _, error = _native.ask(arguments)
+    answer, _, error, _ = _native.ask(arguments)
     told = program(*arguments)
     assert type(error) is kind and answer == "" and told.returncode == status
     assert str(error).removeprefix("amplitudes: ") in told.stderr
@@ -68,7 +68,7 @@ def test_errors_have_the_message_of_the_command(arguments, kind, status):
 
 
 def test_notes_come_beside_the_answer():
-    _, notes, _ = _native.ask(
+    _, notes, _, _ = _native.ask(
         ["simulate", "pendulum", "--initial", "theta=30", "--times", "0:1:1", "--json"]
     )
     told = program(
@@ -80,12 +80,12 @@ def test_notes_come_beside_the_answer():
 def test_the_input_stands_for_a_file():
     table = b"amplitude (deg),period (s)\n10,2.01\n30,2.04\n50,2.1\n70,2.21\n"
     arguments = ["fit", "periods", "-", "--json"]
-    answer, _, error = _native.ask(arguments, table)
+    answer, _, error, _ = _native.ask(arguments, table)
     assert error is None and answer == program(*arguments, input=table.decode()).stdout
 
 
 def test_ctrl_c_ends_an_answer_and_keeps_what_is_done():
-    answer, _, error = alarmed(
+    answer, _, error, _ = alarmed(
         0.3, lambda: _native.ask(["expand", "pendulum", "--order", "999", "--json"])
     )
     assert isinstance(error, KeyboardInterrupt)
@@ -98,7 +98,7 @@ def test_what_the_function_of_the_progress_raises_ends_the_answer():
     def fails(how_far):
         raise RuntimeError(how_far)
 
-    _, _, error = _native.ask(["expand", "pendulum", "--order", "999", "--json"], None, fails)
+    _, _, error, _ = _native.ask(["expand", "pendulum", "--order", "999", "--json"], None, fails)
     assert type(error) is RuntimeError and "order" in str(error)
 
 

@@ -30,6 +30,23 @@ struct Conversation {
     input: Vec<u8>,
     answer: Mutex<Vec<u8>>,
     notes: Mutex<Vec<String>>,
+    takes_chart: bool,
+    chart: Mutex<Option<ChartAsJson>>,
+}
+
+/// A function that writes the picture of a result as JSON.
+type ChartAsJson = Box<dyn Fn() -> String + Send + Sync>;
+
+/// The picture of a result, written as JSON when it is first needed.
+#[pyclass(frozen, module = "libration")]
+pub(crate) struct Chart(ChartAsJson);
+
+#[pymethods]
+impl Chart {
+    /// The JSON of `--figure FILE.json`.
+    fn json(&self, py: Python<'_>) -> String {
+        py.detach(|| (self.0)())
+    }
 }
 
 impl Host for Conversation {
@@ -54,6 +71,14 @@ impl Host for Conversation {
         self.notes.lock().unwrap_or_else(PoisonError::into_inner).push(sentence.to_owned());
     }
 
+    fn takes_chart(&self) -> bool {
+        self.takes_chart
+    }
+
+    fn chart(&self, to_json: ChartAsJson) {
+        *self.chart.lock().unwrap_or_else(PoisonError::into_inner) = Some(to_json);
+    }
+
     fn progress(&self, how_far: Option<&str>) {
         if let Some(how_far) = how_far {
             self.progress.report(how_far);
@@ -65,23 +90,26 @@ impl Host for Conversation {
     }
 }
 
-/// The result, its notes, and the exception if the result is missing or incomplete.
-type Answered = (String, Vec<String>, Option<PyErr>);
+/// The result, its notes, the exception if the result is missing or incomplete, and its picture if that is asked for.
+type Answered = (String, Vec<String>, Option<PyErr>, Option<Chart>);
 
 /// Runs a command line and returns its result; `input` is the content of the file `-` or `the table`.
 #[pyfunction]
-#[pyo3(signature = (arguments, input=None, progress=None))]
+#[pyo3(signature = (arguments, input=None, progress=None, chart=false))]
 pub(crate) fn ask(
     py: Python<'_>,
     arguments: Vec<OsString>,
     input: Option<Vec<u8>>,
     progress: Option<Py<PyAny>>,
+    chart: bool,
 ) -> PyResult<Answered> {
     let conversation = Arc::new(Conversation {
         progress: CallProgress::new(progress),
         input: input.unwrap_or_default(),
         answer: Mutex::default(),
         notes: Mutex::default(),
+        takes_chart: chart,
+        chart: Mutex::default(),
     });
     let answered = py.detach(|| libration_queries::ask(arguments, conversation.clone()));
     let take =
@@ -90,7 +118,8 @@ pub(crate) fn ask(
     let answer = answer.map_err(|error| PyUnicodeDecodeError::new_err(error.to_string()))?;
     let notes = std::mem::take(&mut *conversation.notes.lock().unwrap_or_else(PoisonError::into_inner));
     let stopped_by = conversation.progress.stopped_by();
-    Ok((answer, notes, stopped_by.or(answered.err().map(|error| raised(py, &error)))))
+    let chart = conversation.chart.lock().unwrap_or_else(PoisonError::into_inner).take().map(Chart);
+    Ok((answer, notes, stopped_by.or(answered.err().map(|error| raised(py, &error))), chart))
 }
 
 /// The names of parameters and queries in the Python package.

@@ -29,6 +29,7 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(expansion::latex, module)?)?;
     module.add_class::<simulation::NativeSimulation>()?;
     module.add_function(wrap_pyfunction!(simulation::simulate, module)?)?;
+    module.add_class::<asking::Chart>()?;
     module.add_function(wrap_pyfunction!(asking::ask, module)?)?;
     module.add_function(wrap_pyfunction!(asking::program, module)?)?;
     module.add_function(wrap_pyfunction!(asking::questions, module)?)?;

@@ -81,6 +81,16 @@ pub trait Host: Send + Sync {
         let _ = sentence;
     }
 
+    /// Returns `true` if [`chart`](Self::chart) takes the picture of a result, also where the query names no file for it.
+    fn takes_chart(&self) -> bool {
+        false
+    }
+
+    /// Takes the picture of a result as a function that writes it as JSON, which takes time in proportion to its points.
+    fn chart(&self, to_json: Box<dyn Fn() -> String + Send + Sync>) {
+        let _ = to_json;
+    }
+
     /// The names of parameters and queries in the sentences of results.
     fn words(&self) -> &dyn Words {
         &CommandWords

@@ -46,7 +46,7 @@ def backbone(
     order : int, optional
         The order of the perturbation series [default: 9].
     figure : str or path, optional
-        Draw the curves to FILE.svg, FILE.pdf or FILE.png instead of listing the points.
+        Draw the curves to FILE.svg, .pdf, .png or .json instead of listing the points.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].

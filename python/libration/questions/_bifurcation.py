@@ -70,7 +70,7 @@ def bifurcation(
         The state variable that the picture shows [default: the first coordinate, or its velocity if
         it is an angle].
     figure : str or path, optional
-        Draw the diagram to FILE.svg, FILE.pdf or FILE.png instead of listing the points.
+        Draw the diagram to FILE.svg, .pdf, .png or .json instead of listing the points.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].

@@ -65,7 +65,7 @@ def decay(
     damping_order : int, optional
         Power of the damping to which the slow flow is expanded [default: 2].
     figure : str or path, optional
-        Draw amplitude and period against time to FILE.svg, FILE.pdf or FILE.png instead of listing
+        Draw amplitude and period against time to FILE.svg, .pdf, .png or .json instead of listing
         the cycles.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with

@@ -89,7 +89,7 @@ def fit_amplitudes(
         The damping: dry, linear, quadratic, a sum such as dry+linear, or auto for the simplest law
         that the rows do not exclude [default: auto].
     figure : str or path, optional
-        Draw the data, the law and the residuals to FILE.svg, FILE.pdf or FILE.png.
+        Draw the data, the law and the residuals to FILE.svg, .pdf, .png or .json.
     report : str or path, optional
         Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next
         to it.

@@ -90,7 +90,7 @@ def fit_gates(
     amplitude : angle, optional
         Amplitude of the release, a quarter period before the first passage, such as 20deg.
     figure : str or path, optional
-        Draw the periods against time to FILE.svg, FILE.pdf or FILE.png.
+        Draw the periods against time to FILE.svg, .pdf, .png or .json.
     report : str or path, optional
         Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next
         to it.

@@ -116,7 +116,7 @@ def fit_lengths(
         Relative uncertainty of the clock or frame rate, such as 0.1% if 29.97 frames/s may have
         been taken as 30.
     figure : str or path, optional
-        Draw the data, the line and the residuals to FILE.svg, FILE.pdf or FILE.png.
+        Draw the data, the line and the residuals to FILE.svg, .pdf, .png or .json.
     report : str or path, optional
         Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next
         to it.

@@ -110,7 +110,7 @@ def fit_periods(
     formulas : str, or several, optional
         Keys of formulas (``libration formulas`` lists them).
     figure : str or path, optional
-        Draw the data, the laws and the residuals to FILE.svg, FILE.pdf or FILE.png.
+        Draw the data, the laws and the residuals to FILE.svg, .pdf, .png or .json.
     report : str or path, optional
         Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next
         to it.

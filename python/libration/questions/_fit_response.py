@@ -82,7 +82,7 @@ def fit_response(
     measured : {"peak", "fundamental"}, optional
         The quantity measured as the amplitude [default: peak].
     figure : str or path, optional
-        Draw the data and the curve, its unstable part dashed, to FILE.svg, FILE.pdf or FILE.png.
+        Draw the data and the curve, its unstable part dashed, to FILE.svg, .pdf, .png or .json.
     report : str or path, optional
         Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next
         to it.

@@ -89,7 +89,7 @@ def fit_trace(
         Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next
         to it.
     figure : str or path, optional
-        Draw the data, the fitted motion and the residuals to FILE.svg, FILE.pdf or FILE.png.
+        Draw the data, the fitted motion and the residuals to FILE.svg, .pdf, .png or .json.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].

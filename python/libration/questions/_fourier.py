@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from .._ask import Angle, Quantity, Say, Value
+from typing import Literal
+
+from .._ask import Angle, Path, Quantity, Say, Value
 from ..answer import Answer, answer
 
 
@@ -12,6 +14,13 @@ def fourier(
     velocity: Value | None = None,
     harmonics: int | None = None,
     tolerance: Value | None = None,
+    figure: Path | None = None,
+    size: Literal["page", "column", "slide"] | None = None,
+    width: Quantity | None = None,
+    height: Quantity | None = None,
+    no_title: bool = False,
+    curve_labels: bool = False,
+    angles: Literal["degrees", "radians"] | None = None,
     length: Quantity | None = None,
     gravity: Quantity | None = None,
     progress: Say = False,
@@ -32,6 +41,22 @@ def fourier(
         Number of harmonics to list.
     tolerance : float or str, optional
         List all harmonics of the angle that are at least this large, in radians [default: 1e-16].
+    figure : str or path, optional
+        Draw the result to FILE.svg, .pdf, .png or .json.
+    size : {"page", "column", "slide"}, optional
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
+        larger type [default: page].
+    width : quantity, optional
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
+        ``size``].
+    height : quantity, optional
+        Height of the picture [default: chosen to suit the picture].
+    no_title : bool
+        Leave out the title and the parameters under it, for a figure with a caption.
+    curve_labels : bool
+        Write the names of curves next to them where there is room, and the others in the legend.
+    angles : {"degrees", "radians"}, optional
+        Unit of the angles along the axes [default: the usual one of the picture].
     length : quantity, optional
         Length of the pendulum, such as 1m or 57cm; plain numbers are metres [default: 1m].
     gravity : quantity, optional

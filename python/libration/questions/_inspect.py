@@ -66,7 +66,7 @@ def inspect(
     swings : int, optional
         Number of swings in a window, at least three [default: 5].
     figure : str or path, optional
-        Draw the spectrum with the pendulum's harmonics to FILE.svg, FILE.pdf or FILE.png.
+        Draw the spectrum with the pendulum's harmonics to FILE.svg, .pdf, .png or .json.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].

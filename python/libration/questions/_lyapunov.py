@@ -49,8 +49,7 @@ def lyapunov(
     tolerance : float or str, optional
         The relative error allowed in each step [default: 1e-13].
     figure : str or path, optional
-        Draw the convergence of the exponent to FILE.svg, FILE.pdf or FILE.png instead of listing
-        it.
+        Draw the convergence of the exponent to FILE.svg, .pdf, .png or .json instead of listing it.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].

@@ -43,8 +43,8 @@ def melnikov(
     max_drive_periods : int, optional
         The largest number of periods of the drive, q, of a resonance p:q [default: 5].
     figure : str or path, optional
-        Draw the function, and the resonances on the curve of frequencies, to FILE.svg, FILE.pdf or
-        FILE.png instead of listing them.
+        Draw the function, and the resonances on the curve of frequencies, to FILE.svg, .pdf, .png
+        or .json instead of listing them.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].

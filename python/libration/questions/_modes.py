@@ -49,7 +49,7 @@ def modes(
     coordinate : coordinate, optional
         The coordinate of the amplitude [default: the first].
     figure : str or path, optional
-        Draw the shapes to FILE.svg, FILE.pdf or FILE.png.
+        Draw the shapes to FILE.svg, .pdf, .png or .json.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].

@@ -46,7 +46,7 @@ def motion(
     compare : str, or several, optional
         Approximate motions to compare with: small-angle, fourier-3, fourier-5, fourier-7.
     figure : str or path, optional
-        Draw the motion to FILE.svg, FILE.pdf or FILE.png instead of listing it.
+        Draw the motion to FILE.svg, .pdf, .png or .json instead of listing it.
     animate : bool
         Animate the pendulum next to its curve (an SVG animation, for browsers).
     size : {"page", "column", "slide"}, optional

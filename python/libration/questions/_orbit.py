@@ -52,7 +52,7 @@ def orbit(
         The coordinate whose value at the start is kept, in a family of orbits near a guess
         [default: the farthest from zero].
     figure : str or path, optional
-        Draw the orbit to FILE.svg, FILE.pdf or FILE.png, in time and in the plane of coordinate and
+        Draw the orbit to FILE.svg, .pdf, .png or .json, in time and in the plane of coordinate and
         velocity.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with

@@ -18,6 +18,13 @@ def period(
     excess: Given | None = None,
     formulas: str | Sequence[str] | None = None,
     sort: Literal["error", "catalogue"] | None = None,
+    figure: Path | None = None,
+    size: Literal["page", "column", "slide"] | None = None,
+    width: Quantity | None = None,
+    height: Quantity | None = None,
+    no_title: bool = False,
+    curve_labels: bool = False,
+    angles: Literal["degrees", "radians"] | None = None,
     length: Quantity | None = None,
     gravity: Quantity | None = None,
     progress: Say = False,
@@ -43,6 +50,22 @@ def period(
         Keys of formulas (``libration formulas`` lists them).
     sort : {"error", "catalogue"}, optional
         The order of the formulas [default: error].
+    figure : str or path, optional
+        Draw the result to FILE.svg, .pdf, .png or .json.
+    size : {"page", "column", "slide"}, optional
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
+        larger type [default: page].
+    width : quantity, optional
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
+        ``size``].
+    height : quantity, optional
+        Height of the picture [default: chosen to suit the picture].
+    no_title : bool
+        Leave out the title and the parameters under it, for a figure with a caption.
+    curve_labels : bool
+        Write the names of curves next to them where there is room, and the others in the legend.
+    angles : {"degrees", "radians"}, optional
+        Unit of the angles along the axes [default: the usual one of the picture].
     length : quantity, optional
         Length of the pendulum, such as 1m or 57cm; plain numbers are metres [default: 1m].
     gravity : quantity, optional

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from .._ask import Angle, Given, Quantity, Say, Value
+from typing import Literal
+
+from .._ask import Angle, Given, Path, Quantity, Say, Value
 from ..answer import Answer, answer
 
 
@@ -17,6 +19,13 @@ def plan(
     angle_scale: Value | None = None,
     clock: Value | None = None,
     gravity: Value | None = None,
+    figure: Path | None = None,
+    size: Literal["page", "column", "slide"] | None = None,
+    width: Quantity | None = None,
+    height: Quantity | None = None,
+    no_title: bool = False,
+    curve_labels: bool = False,
+    angles: Literal["degrees", "radians"] | None = None,
     progress: Say = False,
 ) -> Answer:
     """Plan a measurement of g: amplitude of release, number of swings, uncertainty of the length.
@@ -49,6 +58,22 @@ def plan(
         Relative uncertainty of the clock or frame rate [default: 0].
     gravity : float or str, optional
         Approximate acceleration of free fall [default: 9.80665m/s^2].
+    figure : str or path, optional
+        Draw the result to FILE.svg, .pdf, .png or .json.
+    size : {"page", "column", "slide"}, optional
+        Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
+        larger type [default: page].
+    width : quantity, optional
+        Width of the picture, such as 120mm, 12cm or 600px (96 px per inch) [default: set by
+        ``size``].
+    height : quantity, optional
+        Height of the picture [default: chosen to suit the picture].
+    no_title : bool
+        Leave out the title and the parameters under it, for a figure with a caption.
+    curve_labels : bool
+        Write the names of curves next to them where there is room, and the others in the legend.
+    angles : {"degrees", "radians"}, optional
+        Unit of the angles along the axes [default: the usual one of the picture].
     progress : bool or callable
         True for a line of progress, where tqdm is installed; or a function of a text.
 

@@ -67,7 +67,7 @@ def resonance(
     detuning : float or str, optional
         Divisors below this fraction of the least frequency count as resonances [default: 0.1].
     figure : str or path, optional
-        Draw the amplitudes in time to FILE.svg, FILE.pdf or FILE.png instead of listing the terms;
+        Draw the amplitudes in time to FILE.svg, .pdf, .png or .json instead of listing the terms;
         needs ``initial``.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with

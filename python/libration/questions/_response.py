@@ -73,7 +73,7 @@ def response(
         Also sweep the parameter slowly up and down through N values by integration [default: 48 if
         a picture is drawn, else none].
     figure : str or path, optional
-        Draw amplitude against parameter to FILE.svg, FILE.pdf or FILE.png instead of listing the
+        Draw amplitude against parameter to FILE.svg, .pdf, .png or .json instead of listing the
         points.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with

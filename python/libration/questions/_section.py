@@ -63,7 +63,7 @@ def section(
     axes : number or text, or several, optional
         The two state variables that the picture shows [default: a coordinate and its velocity].
     figure : str or path, optional
-        Draw the section to FILE.svg, FILE.pdf or FILE.png instead of listing the points.
+        Draw the section to FILE.svg, .pdf, .png or .json instead of listing the points.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].

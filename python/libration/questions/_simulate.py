@@ -84,8 +84,8 @@ def simulate(
     no_errors : bool
         Do not estimate the errors of the states, which saves time.
     figure : str or path, optional
-        Draw the coordinates and the formulas of ``columns`` against time to FILE.svg, FILE.pdf or
-        FILE.png instead of listing the samples.
+        Draw the coordinates and the formulas of ``columns`` against time to FILE.svg, .pdf, .png or
+        .json instead of listing the samples.
     axes : number or text, or several, optional
         Draw one state variable against another instead of the coordinates against time, such as
         theta,theta'.

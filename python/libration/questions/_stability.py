@@ -54,7 +54,7 @@ def stability(
         Number of lines in each direction on which driven motions are followed; 0 for the
         equilibrium alone [default: 3].
     figure : str or path, optional
-        Draw the map to FILE.svg, FILE.pdf or FILE.png instead of listing the curves.
+        Draw the map to FILE.svg, .pdf, .png or .json instead of listing the curves.
     size : {"page", "column", "slide"}, optional
         Size of the picture: the text width of a page (170 mm), a column (80 mm), or a slide with
         larger type [default: page].

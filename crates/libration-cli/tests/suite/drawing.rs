@@ -234,6 +234,12 @@ impl Drawing {
         shapes.filter(|shape| shape.class == "curve").any(|shape| shape.points.windows(2).any(is_through))
     }
 
+    /// The shapes of a class of a panel in this colour, on the canvas.
+    pub(crate) fn on_canvas(&self, panel: usize, class: &str, colour: &str) -> Vec<Vec<Place>> {
+        let shapes = self.of_colour(panel, colour).filter(|shape| shape.class == class);
+        shapes.map(|shape| shape.points.clone()).collect()
+    }
+
     fn of_colour<'a>(&'a self, panel: usize, colour: &'a str) -> impl Iterator<Item = &'a Shape> {
         let shapes = self.panels[panel].shapes.iter().map(|&shape| &self.shapes[shape]);
         shapes.filter(move |shape| shape.colour.eq_ignore_ascii_case(colour))
@@ -252,7 +258,8 @@ impl Drawing {
     }
 }
 
-fn middle(points: &[Place]) -> Place {
+/// The middle of the rectangle that encloses the points.
+pub(crate) fn middle(points: &[Place]) -> Place {
     let ends = |part: fn(&Place) -> f64| {
         let parts = || points.iter().map(part);
         0.5 * (parts().fold(f64::INFINITY, f64::min) + parts().fold(f64::NEG_INFINITY, f64::max))

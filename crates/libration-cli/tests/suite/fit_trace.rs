@@ -317,7 +317,7 @@ fn questions_that_are_not_understood_say_what_would_do() {
     for (options, expected) in [
         ("--model viscous", "dry+linear"),
         ("--report report.pdf", ".md or .tex"),
-        ("--figure swing.gif", ".svg, .pdf or .png"),
+        ("--figure swing.gif", ".svg, .pdf, .png or .json"),
         ("--length -1m", "above zero"),
     ] {
         let output = libration(&format!("fit trace {SWING} {options}"));

@@ -15,6 +15,7 @@ mod expand;
 mod expansion_code;
 mod fields;
 mod figure_data;
+mod figure_json;
 mod figure_layout;
 mod figure_sizes;
 mod figures;

@@ -385,7 +385,7 @@ fn times_may_lie_on_both_sides_of_the_start() {
     assert!(passed.len() == 4 && passed.is_sorted(), "{passed:?}");
     assert!((passed[0] + passed[3]).abs() < 1e-12 && (passed[1] + passed[2]).abs() < 1e-12, "{passed:?}");
     assert!(swing["energy_drift"].as_f64().unwrap() < 1e-13);
-    for option in ["--until theta=0", "--figure swing.svg"] {
+    for option in ["--until theta=0", "--animate --figure swing.svg"] {
         let refused = libration(&format!("simulate pendulum --initial theta=1 --times=-1:1:1 {option}"));
         assert_eq!(refused.status.code(), Some(2), "{option}");
         assert!(message(&refused).contains("in one direction"), "{}", message(&refused));

@@ -1,10 +1,11 @@
 //! `libration fourier`: the harmonics of a motion.
 
 use crate::arguments::{self, PendulumOptions};
+use crate::figure::{PictureOptions, parameters, spectrum};
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::table::{Table, sheet};
-use crate::output::{Form, FormOptions, csv, json};
+use crate::output::{Form, FormOptions, announce, csv, json};
 use crate::query_error::QueryError;
 use libration::pendulum::{FourierSeries, FourierTerm, Motion, Regime};
 use libration::quantity::Angle;
@@ -23,7 +24,8 @@ const LIMIT: usize = 1_000_000;
     command(after_help = "Examples:
   libration fourier 150deg
   libration fourier 60deg --harmonics 3 --json
-  libration fourier 0 --velocity 7rad/s")
+  libration fourier 0 --velocity 7rad/s
+  libration fourier 179deg --figure harmonics.svg")
 )]
 pub(crate) struct Fourier {
     /// The starting angle, such as 60deg, 1.2rad or pi-1e-6
@@ -39,6 +41,8 @@ pub(crate) struct Fourier {
     #[arg(long, default_value = "1e-16", value_parser = arguments::positive)]
     tolerance: f64,
     #[command(flatten)]
+    picture: PictureOptions,
+    #[command(flatten)]
     pendulum: PendulumOptions,
     #[command(flatten)]
     form: FormOptions,
@@ -48,11 +52,23 @@ impl Fourier {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let motion = arguments::motion(&self.pendulum.pendulum()?, self.angle, self.velocity)?;
         let harmonics = self.harmonics_of(&motion)?;
+        let (own, made_with) = (harmonics.clone(), self.made_with());
+        let picture = move || spectrum::of_motion(&own).with_parameters(made_with.clone());
+        let drawn = self.picture.drawn(picture)?;
         match self.form.form() {
-            Form::Json => self.write_json(out, &motion, &harmonics),
-            Form::Csv => write_csv(out, &harmonics),
-            Form::Table => self.write_table(out, &motion, &harmonics),
+            Form::Json => self.write_json(out, &motion, &harmonics)?,
+            Form::Csv => write_csv(out, &harmonics)?,
+            Form::Table => self.write_table(out, &motion, &harmonics)?,
         }
+        Ok(announce(out, self.form.form(), &drawn)?)
+    }
+
+    fn made_with(&self) -> Vec<String> {
+        let start = parameters::of_release(self.angle, self.velocity);
+        start
+            .into_iter()
+            .chain(parameters::of_pendulum(self.pendulum.length(), self.pendulum.gravity()))
+            .collect()
     }
 
     fn harmonics_of(&self, motion: &Motion) -> Result<FourierSeries, QueryError> {

@@ -1,10 +1,11 @@
 //! `libration plan`: which swings to record for g.
 
 use crate::arguments;
+use crate::figure;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::table::{Table, sheet};
-use crate::output::{Form, FormOptions, csv, json};
+use crate::output::{Form, FormOptions, announce, csv, json};
 use crate::query_error::QueryError;
 use libration::pendulum::Amplitude;
 use libration::quantity::{Angle, Quantity, angles};
@@ -24,7 +25,9 @@ use std::io::{self, Write};
   libration plan --g-to 0.01% --length 0.5m±10um --angle-noise 0.01deg \\
     --rate 240 --angle-scale 0.1% --clock 1e-6
   libration plan --g-to 2e-3 --length 57cm±1mm --angle-noise 1deg --rate 30 \\
-    --linear 0.03/s --amplitudes 5deg:60deg:5deg --csv")
+    --linear 0.03/s --amplitudes 5deg:60deg:5deg --csv
+  libration plan --g-to 1e-3 --length 1m±0.5mm --angle-noise 0.2deg --rate 60 \\
+    --figure plan.svg")
 )]
 pub(crate) struct PlanQuestion {
     /// The target relative standard uncertainty of g, such as 1e-3 or 0.1%
@@ -54,6 +57,8 @@ pub(crate) struct PlanQuestion {
     /// Approximate acceleration of free fall
     #[arg(long, default_value = "9.80665m/s^2", value_parser = arguments::gravity)]
     gravity: f64,
+    #[command(flatten)]
+    picture: figure::PictureOptions,
     #[command(flatten)]
     form: FormOptions,
 }
@@ -97,12 +102,16 @@ impl PlanQuestion {
         };
         let outcome = plan(&recording, self.g_to, &self.amplitudes.0);
         let plan = outcome.map_err(|error| QueryError::no_result("plan", error))?;
+        let drawn = self.picture.drawn({
+            let plan = plan.clone();
+            move || figure::plan::plan(&plan)
+        })?;
         match self.form.form() {
             Form::Json => json::document(out, of_plan().record(&plan))?,
             Form::Csv => write_csv(out, &plan)?,
             Form::Table => write_table(out, &plan)?,
         }
-        Ok(())
+        Ok(announce(out, self.form.form(), &drawn)?)
     }
 }
 

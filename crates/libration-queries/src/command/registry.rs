@@ -192,7 +192,7 @@ pub(crate) fn groups() -> [(&'static str, Vec<Query>); 6] {
         (
             "Tools",
             vec![
-                query("figure", "pictures: SVG, PDF or PNG", figure::Figure::answer, figure::answers),
+                query("figure", "pictures: SVG, PDF, PNG or JSON", figure::Figure::answer, figure::answers),
                 query("sweep", "any command over a parameter grid", sweep::Sweep::answer, sweep::answers),
                 query(
                     "fields",

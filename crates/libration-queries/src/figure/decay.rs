@@ -22,7 +22,7 @@ pub(crate) struct MeasuredCycle {
 pub(crate) fn dying_swings(
     decay: &Decay,
     slow: Option<&SlowDecay>,
-    turns: &[&TurningPoint],
+    turns: &[TurningPoint],
     cycles: &[MeasuredCycle],
 ) -> Picture {
     let (_, to) = around(turns.iter().map(|turn| turn.time));
@@ -41,16 +41,11 @@ pub(crate) fn dying_swings(
     Picture::new("Decay of a damped pendulum", vec![above, panel(x, "period / s", periods, 0.42)])
 }
 
-fn amplitudes(
-    decay: &Decay,
-    slow: Option<&SlowDecay>,
-    turns: &[&TurningPoint],
-    times: &[f64],
-) -> Vec<Series> {
+fn amplitudes(decay: &Decay, slow: Option<&SlowDecay>, turns: &[TurningPoint], times: &[f64]) -> Vec<Series> {
     let curve = |label: &str, look, envelope: DecayEnvelope<'_>| {
         Series::line(label, look, times.iter().map(|&time| (time, envelope.amplitude_at(time).to_degrees())))
     };
-    let point = |turn: &&TurningPoint| Point::new(turn.time, turn.amplitude.radians().to_degrees());
+    let point = |turn: &TurningPoint| Point::new(turn.time, turn.amplitude.radians().to_degrees());
     let laws = [
         curve("averaged", style::curve(0), decay.envelope(EnvelopeLaw::Averaged)),
         curve("law of small amplitudes", style::curve(1), decay.envelope(EnvelopeLaw::SmallAmplitude)),

@@ -5,6 +5,7 @@ use crate::query_error::{Parameter, QueryError, option};
 use libration_report::draw;
 use libration_report::format::{PictureFormat, TooSmall, UNITS_PER_MM};
 use libration_report::scene::Scene;
+use std::borrow::Cow;
 use std::fmt;
 
 /// The options for the layout of a picture.
@@ -79,13 +80,23 @@ impl Layout {
                 format!("{asked} is too small for this picture and its labels: give at least {least}");
             QueryError::no_result(side, reason).with_suggestion(Some(least.to_string()))
         };
-        let converted = self.with_angles(picture);
-        draw(converted.as_ref().unwrap_or(picture), &format).map_err(|error| match error {
+        draw(&self.content(picture), &format).map_err(|error| match error {
             TooSmall::Width(least) => refused(option("width"), self.width, format.width, least),
             TooSmall::Height(least) => {
                 refused(option("height"), self.height, format.height.unwrap_or(0.0), least)
             }
         })
+    }
+
+    /// The picture with its angles in the unit requested, and without the title if it is left out.
+    pub(super) fn content<'a>(&self, picture: &'a Picture) -> Cow<'a, Picture> {
+        let mut content = self.with_angles(picture).map_or(Cow::Borrowed(picture), Cow::Owned);
+        if self.no_title {
+            let content = content.to_mut();
+            content.title.clear();
+            content.parameters.clear();
+        }
+        content
     }
 
     /// The picture with its angles in the unit requested; `None` if it has none.
@@ -100,6 +111,12 @@ impl Layout {
     pub(super) fn remark(&self, picture: &Picture) -> &'static str {
         let is_idle = self.angles.is_some() && self.with_angles(picture).is_none();
         if is_idle { "; there are no angles along its axes" } else { "" }
+    }
+
+    /// The remark that options have no effect on the data of a picture.
+    pub(super) fn remark_on_data(&self) -> &'static str {
+        let is_usual = matches!(self.size, Preset::Page) && self.width.is_none() && self.height.is_none();
+        if is_usual && !self.curve_labels { "" } else { "; data have no size and no names at curves" }
     }
 
     fn format(&self) -> PictureFormat {

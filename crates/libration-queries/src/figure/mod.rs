@@ -1,8 +1,8 @@
 //! The pictures: contents, sizes and files.
 //!
 //! # Method
-//! Pictures are data of `libration-report`, drawn as SVG there, as PNG by tiny-skia (`png.rs`) and as PDF by pdf-writer (`pdf.rs`); in a page,
-//! which draws pictures by itself, `svg_only.rs` replaces both.
+//! Pictures are data of `libration-report`, drawn as SVG there, as PNG by tiny-skia (`png.rs`) and as PDF by pdf-writer (`pdf.rs`), and
+//! written as JSON (`data.rs`); in a page, which draws pictures by itself, `svg_only.rs` replaces these three.
 
 pub(crate) mod amplitudes;
 pub(crate) mod animation;
@@ -22,6 +22,7 @@ pub(crate) mod nonlinear_modes;
 pub(crate) mod orbit;
 pub(crate) mod periods;
 pub(crate) mod phase;
+pub(crate) mod plan;
 pub(crate) mod resonance;
 pub(crate) mod response;
 pub(crate) mod section;
@@ -29,14 +30,18 @@ pub(crate) mod series;
 pub(crate) mod simulation;
 pub(crate) mod spectrum;
 pub(crate) mod stability;
+pub(crate) mod swing_periods;
 pub(crate) mod trace;
 pub(crate) mod trajectories;
 pub(crate) mod file;
 pub(crate) mod names;
 pub(crate) mod cusps;
+#[cfg_attr(target_family = "wasm", path = "svg_only.rs")]
+pub(crate) mod data;
 #[cfg(not(target_family = "wasm"))]
 pub(crate) mod font;
 pub(crate) mod layout;
+pub(crate) mod options;
 pub(crate) mod parameters;
 #[cfg_attr(target_family = "wasm", path = "svg_only.rs")]
 pub(crate) mod pdf;
@@ -46,3 +51,4 @@ pub(crate) mod png;
 pub(crate) use layout::Layout;
 pub(crate) use libration_report::chart;
 use libration_report::{range, style};
+pub(crate) use options::PictureOptions;

@@ -61,14 +61,14 @@ impl Motions<'_> {
     }
 
     fn panel(&self, label: String, scale: f64, shown: impl for<'t> Fn(&'t Trace<'_>) -> &'t [f64]) -> Panel {
-        let end = self.traces.first().map_or(0.0, |(_, trace)| trace.end);
+        let (from, to) = self.traces.first().map_or((0.0, 0.0), |(_, trace)| trace.ends);
         let curve = |(number, (label, trace)): (usize, &(String, &Trace<'_>))| {
             let points = trace.times.iter().copied().zip(shown(trace).iter().map(|value| scale * value));
             Series::line(label, style::curve(number), points)
         };
         let series: Vec<Series> = self.traces.iter().enumerate().map(curve).collect();
         let (low, high) = around(series.iter().flat_map(|series| series.points.iter().map(|point| point.y)));
-        let x = Axis::linear("time t / s", end.min(0.0), end.max(0.0));
+        let x = Axis::linear("time t / s", from, to);
         Panel { x, y: Axis::linear(&label, low, high), series, share: 1.0 }
     }
 

@@ -4,7 +4,7 @@ use super::names::symbol;
 use crate::output::number::{self, short};
 use crate::output::series::subscript;
 use libration::decay::{Damping, PowerLawTerm};
-use libration::quantity::Quantity;
+use libration::quantity::{Angle, Quantity};
 use libration::systems::{Model, NamedSystem};
 
 /// Digits of a parameter.
@@ -20,6 +20,16 @@ pub(crate) fn of_pendulum(length: f64, gravity: f64) -> [String; 2] {
 /// An angle of release.
 pub fn amplitude(radians: f64) -> String {
     format!("θ₀ = {}°", shown(radians.to_degrees()))
+}
+
+/// The start of a pendulum: its amplitude, or its angle and angular velocity (rad/s).
+pub(crate) fn of_release(angle: Angle, velocity: f64) -> Vec<String> {
+    if velocity.abs() > 0.0 {
+        let angle = said("θ(0)", angle.degrees(), "°").replace(" °", "°");
+        vec![angle, said("θ′(0)", velocity, "rad/s")]
+    } else {
+        vec![amplitude(angle.radians())]
+    }
 }
 
 /// A parameter with its value and unit.

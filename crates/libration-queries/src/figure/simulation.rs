@@ -19,7 +19,9 @@ const MOST_MARKS: usize = 1000;
 #[derive(Debug)]
 pub(crate) struct Trace<'a> {
     observables: Option<&'a Observables>,
-    pub(super) end: f64,
+    /// The earlier and the later end of the time axis.
+    pub(super) ends: (f64, f64),
+    end: f64,
     next: u32,
     pub(super) times: Vec<f64>,
     /// One list for each number of the state, the coordinates first.
@@ -36,7 +38,8 @@ impl<'a> Trace<'a> {
         let values = vec![vec![]; model.state_names().len()];
         let columns = vec![vec![]; observables.map_or(0, |observables| observables.names().len())];
         let marks = vec![vec![]; model.coordinates().len()];
-        Self { observables, end, next: 0, times: vec![], values, columns, marks }
+        let ends = (end.min(0.0), end.max(0.0));
+        Self { observables, ends, end, next: 0, times: vec![], values, columns, marks }
     }
 
     fn time(&self, place: u32) -> f64 {
@@ -103,7 +106,7 @@ impl<'a> Trace<'a> {
     /// A panel for each unit, with the coordinates that have it, and one for each formula.
     pub(crate) fn picture(&self, model: &Model, start: &[f64]) -> Picture {
         let units = units(model);
-        let time = Axis::linear("time t / s", self.end.min(0.0), self.end.max(0.0));
+        let time = Axis::linear("time t / s", self.ends.0, self.ends.1);
         let coordinates = units.iter().map(|unit| self.panel(model, unit, &time));
         let formulas = self
             .column_names()
@@ -166,6 +169,43 @@ impl<'a> Trace<'a> {
         let series = vec![Series::line("", style::curve(0), points)];
         let (low, high) = around(values.iter().copied());
         Panel { x: time.clone(), y: Axis::linear(&formula(name), low, high), series, share: 1.0 }
+    }
+}
+
+/// Traces before and after the start.
+pub(crate) struct TwoTraces<'a>([Trace<'a>; 2]);
+
+impl<'a> TwoTraces<'a> {
+    /// Empty traces from 0 to the two ends.
+    pub(crate) fn new(
+        model: &Model,
+        observables: Option<&'a Observables>,
+        (first, last): (f64, f64),
+    ) -> Self {
+        Self([first, last].map(|end| Trace::new(model, observables, end)))
+    }
+
+    /// Takes the states of a step on its side.
+    pub(crate) fn follow(&mut self, step: &Step<'_>) {
+        let side = usize::from(step.end() > 0.0);
+        self.0[side].follow(step, step.end());
+    }
+
+    /// Both traces as one, in the order of time.
+    pub(crate) fn joined(self) -> Trace<'a> {
+        let [before, after] = self.0;
+        // Both begin at the start.
+        let join =
+            |before: Vec<f64>, after: Vec<f64>| before.into_iter().skip(1).rev().chain(after).collect();
+        let join_all =
+            |before: Vec<_>, after| before.into_iter().zip(after).map(|(b, a)| join(b, a)).collect();
+        Trace {
+            ends: (before.ends.0, after.ends.1),
+            times: join(before.times, after.times),
+            values: join_all(before.values, after.values),
+            columns: join_all(before.columns, after.columns),
+            ..after
+        }
     }
 }
 

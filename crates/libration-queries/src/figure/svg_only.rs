@@ -1,8 +1,12 @@
-//! Refusal of PNG and PDF in a page, which draws pictures itself.
+//! Refusal of PNG, PDF and JSON in a page, which draws pictures itself.
 
-use libration_report::scene::Scene;
+use super::Layout;
+use super::chart::Picture;
 
 /// The reason why there is none.
-pub(crate) fn file(_: &Scene) -> Result<Vec<u8>, String> {
+pub(crate) fn file<T>(_: &T) -> Result<Vec<u8>, String> {
     Err("the page writes pictures as SVG only: give a file name ending in .svg".to_owned())
 }
+
+/// The page takes no charts.
+pub(crate) fn pass(_: &Layout, _: impl Fn() -> Picture) {}

@@ -4,6 +4,7 @@ mod fields;
 mod write;
 
 use crate::arguments::{self, Asked, OscillatorOptions};
+use crate::figure::chart::Picture;
 use crate::output::{Form, FormOptions, announce};
 use crate::query_error::{QueryError, option};
 use crate::{figure, interrupt, parallel};
@@ -12,6 +13,7 @@ use libration::perturbation::MAX_ORDER;
 use libration::quantity::is_angle_name;
 use std::io::Write;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 pub(crate) use fields::answers;
 
@@ -38,7 +40,7 @@ pub(crate) struct Backbone {
     /// The order of the perturbation series
     #[arg(long, default_value = "9", value_parser = arguments::count::<MAX_ORDER>)]
     order: usize,
-    /// Draw the curves to FILE.svg, FILE.pdf or FILE.png instead of listing the points
+    /// Draw the curves to FILE.svg, .pdf, .png or .json instead of listing the points
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
@@ -71,37 +73,46 @@ impl BackboneResult {
     fn is_angle(&self) -> bool {
         is_angle_name(&self.asked.equation.variables()[0])
     }
+
+    /// The picture, for which more points are computed; `false` after a cancellation of that.
+    fn picture(&self) -> (Picture, bool) {
+        let amplitudes = figure::backbone::amplitudes_of_curves(&self.points);
+        let sampled =
+            parallel::map_unless_cancelled(&amplitudes, "points of the curve", |amplitude, progress| {
+                self.curve.drawn_at(amplitude, progress)
+            });
+        let title = match self.asked.key {
+            Some(_) => self.asked.title.clone(),
+            None => self.asked.equation.to_string(),
+        };
+        let setting =
+            figure::backbone::BackboneSetting { title, order: self.order, is_angle: self.is_angle() };
+        let picture = figure::backbone::backbone(&self.curve, &self.points, &sampled, &setting);
+        let value = |(name, value): &(String, _)| format!("{} = {value}", figure::names::symbol(name));
+        let picture = picture.with_parameters(self.asked.values.iter().map(value));
+        (picture, sampled.len() == amplitudes.len())
+    }
 }
 
 impl Backbone {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
-        let answer = self.computed()?;
-        let (mut drawn, mut interruption) = (vec![], answer.interruption());
-        if let Some(path) = &self.figure {
-            let amplitudes = figure::backbone::amplitudes_of_curves(&answer.points);
-            let sampled =
-                parallel::map_unless_cancelled(&amplitudes, "points of the curve", |amplitude, progress| {
-                    answer.curve.drawn_at(amplitude, progress)
-                });
-            if interruption.is_none() && sampled.len() < amplitudes.len() {
-                let reason = "interrupted: the curve is drawn as far as it was known";
-                interruption = Some(QueryError::cancelled(reason));
-            }
-            let title = match answer.asked.key {
-                Some(_) => answer.asked.title.clone(),
-                None => answer.asked.equation.to_string(),
-            };
-            let setting =
-                figure::backbone::BackboneSetting { title, order: self.order, is_angle: answer.is_angle() };
-            let picture = figure::backbone::backbone(&answer.curve, &answer.points, &sampled, &setting);
-            let values = answer
-                .asked
-                .values
-                .iter()
-                .map(|(name, value)| format!("{} = {value}", figure::names::symbol(name)));
-            let picture = picture.with_parameters(values);
-            drawn.push(figure::file::write(path, &picture, &self.layout)?);
+        let answer = Arc::new(self.computed()?);
+        let mut interruption = answer.interruption();
+        if self.figure.is_none() {
+            let own = Arc::clone(&answer);
+            figure::data::pass(&self.layout, move || own.picture().0);
         }
+        let drawn = match &self.figure {
+            Some(path) => {
+                let (picture, is_complete) = answer.picture();
+                if interruption.is_none() && !is_complete {
+                    let reason = "interrupted: the curve is drawn as far as it was known";
+                    interruption = Some(QueryError::cancelled(reason));
+                }
+                figure::file::finished(Some(path), &self.layout, &picture)?
+            }
+            None => vec![],
+        };
         match self.form.form() {
             Form::Json => write::json(out, &answer)?,
             Form::Csv => write::csv(out, &answer)?,

@@ -58,7 +58,7 @@ pub(crate) struct Bifurcation {
     /// The state variable that the picture shows [default: the first coordinate, or its velocity if it is an angle]
     #[arg(long, value_name = "NAME", requires = "figure")]
     axis: Option<CoordinateName>,
-    /// Draw the diagram to FILE.svg, FILE.pdf or FILE.png instead of listing the points
+    /// Draw the diagram to FILE.svg, .pdf, .png or .json instead of listing the points
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
@@ -113,18 +113,14 @@ impl Bifurcation {
         {
             return Err(error);
         }
-        let drawn = match &self.figure {
-            Some(path) => {
-                let picture = figure::section::bifurcation(
-                    &model,
-                    &self.over.name,
-                    &diagram.sweeps,
-                    &StateAxis::new(&model, self.axis(&model)?),
-                );
-                vec![figure::file::write(path, &picture, &self.layout)?]
-            }
-            None => vec![],
-        };
+        let drawn = figure::file::drawn(self.figure.as_deref(), &self.layout, || {
+            Ok(figure::section::bifurcation(
+                &model,
+                &self.over.name,
+                &diagram.sweeps,
+                &StateAxis::new(&model, self.axis(&model)?),
+            ))
+        })?;
         diagram.write(out, self.form.form(), drawn.is_empty())?;
         announce(out, self.form.form(), &drawn)?;
         out.flush()?;

@@ -51,7 +51,7 @@ pub(crate) struct Decay {
     extent: Extent,
     #[command(flatten)]
     slow_flow: SlowFlowOptions,
-    /// Draw amplitude and period against time to FILE.svg, FILE.pdf or FILE.png instead of listing the cycles
+    /// Draw amplitude and period against time to FILE.svg, .pdf, .png or .json instead of listing the cycles
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
@@ -90,18 +90,17 @@ impl Decay {
         if let Some(slow) = &slow {
             report.compare_with(slow);
         }
-        let drawn = match &self.figure {
-            Some(path) => {
-                let turns: Vec<&TurningPoint> = report.turns.iter().map(|turn| &turn.point).collect();
-                let cycles = report.rows(&decay).filter_map(|row| row.whole);
-                let cycles: Vec<MeasuredCycle> =
-                    cycles.map(|Cycle { middle, duration, .. }| MeasuredCycle { middle, duration }).collect();
-                let picture = figure::decay::dying_swings(&decay, slow.as_ref(), &turns, &cycles);
-                let picture = picture.with_parameters(self.made_with(&decay));
-                vec![figure::file::write(path, &picture, &self.layout)?]
+        let drawn = figure::file::drawn_later(self.figure.as_deref(), &self.layout, {
+            let turns: Vec<TurningPoint> = report.turns.iter().map(|turn| turn.point).collect();
+            let cycles = report.rows(&decay).filter_map(|row| row.whole);
+            let cycles: Vec<MeasuredCycle> =
+                cycles.map(|Cycle { middle, duration, .. }| MeasuredCycle { middle, duration }).collect();
+            let (made_with, decay, slow) = (self.made_with(&decay), decay.clone(), slow.clone());
+            move || {
+                figure::decay::dying_swings(&decay, slow.as_ref(), &turns, &cycles)
+                    .with_parameters(made_with.clone())
             }
-            None => vec![],
-        };
+        })?;
         let given = self.omega0.is_none().then_some(self.pendulum);
         let listed = drawn.is_empty();
         write::DecayResult { given, decay: &decay, slow: slow.as_ref(), report: &report, listed }

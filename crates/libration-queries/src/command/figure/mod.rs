@@ -52,7 +52,7 @@ enum FigureSubject {
 /// The options of every picture.
 #[derive(Clone, Debug, clap::Args)]
 struct PictureOptions {
-    /// The file to write, FILE.svg, FILE.pdf or FILE.png
+    /// The file to write, FILE.svg, .pdf, .png or .json
     #[arg(id = "figure", long = "output", short = 'o', value_name = "FILE", value_parser = file::drawable)]
     output: PathBuf,
     #[command(flatten)]
@@ -71,9 +71,9 @@ impl Figure {
             FigureSubject::Series(subject) => ("series", &subject.options, subject.picture()?),
             FigureSubject::Trajectories(subject) => ("trajectories", &subject.options, subject.picture()?),
         };
-        let drawn = file::write(&options.output, &picture, &options.layout)?;
+        let drawn = file::finished(Some(&options.output), &options.layout, &picture)?;
         report::write(out, options.form.form(), name, &options.output, &picture)?;
-        announce(out, options.form.form(), &[drawn])?;
+        announce(out, options.form.form(), &drawn)?;
         interrupt::ended_early("the curves")
     }
 }

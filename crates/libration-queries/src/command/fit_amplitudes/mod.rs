@@ -49,7 +49,7 @@ pub(crate) struct FitAmplitudes {
     /// The damping: dry, linear, quadratic, a sum such as dry+linear, or auto for the simplest law that the rows do not exclude
     #[arg(long, value_name = "DAMPING", default_value = "auto")]
     model: DampingChoice,
-    /// Draw the data, the law and the residuals to FILE.svg, FILE.pdf or FILE.png
+    /// Draw the data, the law and the residuals to FILE.svg, .pdf, .png or .json
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     /// Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next to it
@@ -71,11 +71,9 @@ impl FitAmplitudes {
         let options = AmplitudesOptions { damping, period: self.period };
         let fit =
             fit_amplitudes(&file.measured.table, &options).map_err(|error| self.input.no_answer(error))?;
-        let mut written = vec![];
-        if let Some(path) = &self.figure {
-            let picture = figure::amplitudes::fitted(&file.measured, &fit);
-            written.push(figure::file::write(path, &picture, &self.layout)?);
-        }
+        let mut written = figure::file::drawn(self.figure.as_deref(), &self.layout, || {
+            Ok(figure::amplitudes::fitted(&file.measured, &fit))
+        })?;
         let answer = FitAmplitudesResult { file: &file, fit: &fit };
         if let Some(path) = &self.report {
             written.push(document::write(path, &report::document(&answer, &self.input.name()))?);

@@ -62,7 +62,7 @@ pub(crate) struct FitGates {
     /// Amplitude of the release, a quarter period before the first passage, such as 20deg
     #[arg(long, value_name = "ANGLE", value_parser = crate::arguments::angle)]
     amplitude: Option<Angle>,
-    /// Draw the periods against time to FILE.svg, FILE.pdf or FILE.png
+    /// Draw the periods against time to FILE.svg, .pdf, .png or .json
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     /// Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next to it
@@ -102,10 +102,8 @@ impl FitGates {
         let fit = fit_gates(&read.times, read.blocked.as_deref(), &options, &Cancellation);
         let fit = fit.map_err(|error| failure(&name, &error))?;
         let budget = self.budget(&fit, geometry.as_ref())?;
-        let mut written = vec![];
-        if let Some(path) = &self.figure {
-            written.push(figure::file::write(path, &figure::gates::periods(&fit), &self.layout)?);
-        }
+        let mut written =
+            figure::file::drawn(self.figure.as_deref(), &self.layout, || Ok(figure::gates::periods(&fit)))?;
         let findings: Vec<String> = read.findings.iter().map(finding_with_option).collect();
         let incomplete = read.incomplete;
         let normal = budget.as_ref().zip(self.apparatus.normal_gravity()?);

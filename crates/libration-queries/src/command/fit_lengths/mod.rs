@@ -60,7 +60,7 @@ pub(crate) struct FitLengths {
     /// Relative uncertainty of the clock or frame rate, such as 0.1% if 29.97 frames/s may have been taken as 30
     #[arg(long, value_name = "PART", value_parser = crate::arguments::part)]
     clock: Option<f64>,
-    /// Draw the data, the line and the residuals to FILE.svg, FILE.pdf or FILE.png
+    /// Draw the data, the line and the residuals to FILE.svg, .pdf, .png or .json
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     /// Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next to it
@@ -124,11 +124,9 @@ impl FitLengths {
         if fit.weighted_by_rounding {
             table.weight_by_rounding();
         }
-        let mut written = vec![];
-        if let Some(path) = &self.figure {
-            let picture = figure::lengths::fitted(&table.measured, fit.best(), radius);
-            written.push(figure::file::write(path, &picture, &self.layout)?);
-        }
+        let mut written = figure::file::drawn(self.figure.as_deref(), &self.layout, || {
+            Ok(figure::lengths::fitted(&table.measured, fit.best(), radius))
+        })?;
         let groups = groups_of(&table, &fit, &options);
         let normal = self.place.normal_gravity()?;
         let normal = normal.map(|normal| NormalGravity { measured: fit.gravity(), normal });

@@ -50,7 +50,7 @@ pub(crate) struct FitPeriods {
     reject_outliers: Option<f64>,
     #[command(flatten)]
     formulas: FormulaChoice,
-    /// Draw the data, the laws and the residuals to FILE.svg, FILE.pdf or FILE.png
+    /// Draw the data, the laws and the residuals to FILE.svg, .pdf, .png or .json
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     /// Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next to it
@@ -89,11 +89,9 @@ impl FitPeriods {
         let normal = budget.as_ref().zip(normal);
         let normal = normal.map(|(budget, normal)| NormalGravity { measured: budget.gravity(), normal });
         let left_out = if self.reject_outliers.is_some() { &fit.outliers[..] } else { &[] };
-        let mut written = vec![];
-        if let Some(path) = &self.figure {
-            let picture = figure::periods::fitted(&measured.without(left_out), &fit);
-            written.push(figure::file::write(path, &picture, &self.layout)?);
-        }
+        let mut written = figure::file::drawn(self.figure.as_deref(), &self.layout, || {
+            Ok(figure::periods::fitted(&measured.without(left_out), &fit))
+        })?;
         let groups = self.groups(&measured, &fit);
         let answer = FitPeriodsResult {
             measured: &measured,

@@ -46,7 +46,7 @@ pub(crate) struct FitResponse {
     /// The quantity measured as the amplitude
     #[arg(long, value_enum, default_value = "peak")]
     measured: MeasuredQuantity,
-    /// Draw the data and the curve, its unstable part dashed, to FILE.svg, FILE.pdf or FILE.png
+    /// Draw the data and the curve, its unstable part dashed, to FILE.svg, .pdf, .png or .json
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     /// Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next to it
@@ -82,11 +82,9 @@ impl FitResponse {
         let file = self.input.read()?;
         interrupt::listen()?;
         let (fit, curve) = parallel::with_progress(how_far, || self.fitted(&file))?;
-        let mut written = vec![];
-        if let Some(path) = &self.figure {
-            let picture = fitted_response::fitted(&file.measured, fit.best(), &curve);
-            written.push(figure::file::write(path, &picture, &self.layout)?);
-        }
+        let mut written = figure::file::drawn(self.figure.as_deref(), &self.layout, || {
+            Ok(fitted_response::fitted(&file.measured, fit.best(), &curve))
+        })?;
         let answer = FitResponseResult { file: &file, fit: &fit, curve: &curve };
         if let Some(path) = &self.report {
             written.push(document::write(path, &report::document(&answer, &self.input.name()))?);

@@ -54,7 +54,7 @@ pub(crate) struct FitTrace {
     /// Write a report with pictures to FILE.html, or to FILE.md or FILE.tex with the pictures next to it
     #[arg(long, value_name = "FILE", value_parser = document::name)]
     report: Option<PathBuf>,
-    /// Draw the data, the fitted motion and the residuals to FILE.svg, FILE.pdf or FILE.png
+    /// Draw the data, the fitted motion and the residuals to FILE.svg, .pdf, .png or .json
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
@@ -71,10 +71,9 @@ impl FitTrace {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let measured = self.input.read(&self.recording)?;
         let answer = self.fitted(&measured)?;
-        let mut written = vec![];
-        if let Some(path) = &self.figure {
-            written.push(figure::file::write(path, &report::pictures::of_all(&answer), &self.layout)?);
-        }
+        let mut written = figure::file::drawn(self.figure.as_deref(), &self.layout, || {
+            Ok(report::pictures::of_all(&answer))
+        })?;
         if let Some(path) = &self.report {
             written.push(document::write(path, &report::document(&answer))?);
         }

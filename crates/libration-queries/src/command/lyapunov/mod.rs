@@ -57,7 +57,7 @@ pub(crate) struct Lyapunov {
     /// The relative error allowed in each step
     #[arg(long, default_value = "1e-13", value_parser = positive)]
     tolerance: f64,
-    /// Draw the convergence of the exponent to FILE.svg, FILE.pdf or FILE.png instead of listing it
+    /// Draw the convergence of the exponent to FILE.svg, .pdf, .png or .json instead of listing it
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
@@ -84,13 +84,9 @@ impl Lyapunov {
         interrupt::listen()?;
         let exponent = measured(&model, &start, &schedule, &effort).map_err(failure)?;
         let answer = LyapunovResult { model: &model, initial, schedule, exponent };
-        let drawn = match &self.figure {
-            Some(path) => {
-                let picture = figure::lyapunov::convergence(&model, &answer.initial, &answer.exponent);
-                vec![figure::file::write(path, &picture, &self.layout)?]
-            }
-            None => vec![],
-        };
+        let drawn = figure::file::drawn(self.figure.as_deref(), &self.layout, || {
+            Ok(figure::lyapunov::convergence(&model, &answer.initial, &answer.exponent))
+        })?;
         answer.write(out, self.form.form(), drawn.is_empty())?;
         announce(out, self.form.form(), &drawn)?;
         out.flush()?;

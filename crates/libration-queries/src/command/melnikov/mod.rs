@@ -49,7 +49,7 @@ pub(crate) struct MelnikovQuestion {
     /// The largest number of periods of the drive, q, of a resonance p:q
     #[arg(long, alias = "orders", value_name = "Q", default_value = "5", value_parser = count::<MOST_PERIODS>)]
     max_drive_periods: usize,
-    /// Draw the function, and the resonances on the curve of frequencies, to FILE.svg, FILE.pdf or FILE.png instead of listing them
+    /// Draw the function, and the resonances on the curve of frequencies, to FILE.svg, .pdf, .png or .json instead of listing them
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
@@ -79,12 +79,9 @@ impl MelnikovQuestion {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         interrupt::listen()?;
         let answer = self.analysis()?;
-        let drawn = match &self.figure {
-            Some(path) => {
-                vec![figure::file::write(path, &figure::melnikov::melnikov(&answer.shown()), &self.layout)?]
-            }
-            None => vec![],
-        };
+        let drawn = figure::file::drawn(self.figure.as_deref(), &self.layout, || {
+            Ok(figure::melnikov::melnikov(&answer.shown()))
+        })?;
         answer.write(out, self.form.form(), drawn.is_empty())?;
         Ok(announce(out, self.form.form(), &drawn)?)
     }

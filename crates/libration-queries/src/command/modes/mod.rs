@@ -41,7 +41,7 @@ pub(crate) struct Modes {
     equilibrium: EquilibriumOptions,
     #[command(flatten)]
     follow: FollowOptions,
-    /// Draw the shapes to FILE.svg, FILE.pdf or FILE.png
+    /// Draw the shapes to FILE.svg, .pdf, .png or .json
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
@@ -71,13 +71,9 @@ impl Modes {
             return self.followed(out, model, &modes, number - 1);
         }
         let answer = ModesResult { model, modes };
-        let drawn = match &self.figure {
-            Some(path) => {
-                let picture = figure::modes::shapes(&answer.model, &answer.modes);
-                vec![figure::file::write(path, &picture, &self.layout)?]
-            }
-            None => vec![],
-        };
+        let drawn = figure::file::drawn(self.figure.as_deref(), &self.layout, || {
+            Ok(figure::modes::shapes(&answer.model, &answer.modes))
+        })?;
         match self.form.form() {
             Form::Json => write::json(out, &answer)?,
             Form::Csv => write::csv(out, &answer)?,
@@ -106,18 +102,14 @@ impl Modes {
             _ => QueryError::no_result(option("follow"), error),
         })?;
         let followed = FollowedMode { model, mode, coordinate, branch };
-        let drawn = match &self.figure {
-            Some(path) => {
-                let picture = figure::nonlinear_modes::backbone(
-                    &followed.model,
-                    followed.mode,
-                    followed.coordinate,
-                    &followed.branch,
-                );
-                vec![figure::file::write(path, &picture, &self.layout)?]
-            }
-            None => vec![],
-        };
+        let drawn = figure::file::drawn(self.figure.as_deref(), &self.layout, || {
+            Ok(figure::nonlinear_modes::backbone(
+                &followed.model,
+                followed.mode,
+                followed.coordinate,
+                &followed.branch,
+            ))
+        })?;
         followed.write(out, self.form.form())?;
         Ok(announce(out, self.form.form(), &drawn)?)
     }

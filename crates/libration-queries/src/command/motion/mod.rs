@@ -40,7 +40,7 @@ pub(crate) struct Motion {
     /// Approximate motions to compare with: small-angle, fourier-3, fourier-5, fourier-7
     #[arg(long, value_name = "KEY,KEY", value_delimiter = ',', value_parser = ApproximateMotion::by_key)]
     compare: Vec<ApproximateMotion>,
-    /// Draw the motion to FILE.svg, FILE.pdf or FILE.png instead of listing it
+    /// Draw the motion to FILE.svg, .pdf, .png or .json instead of listing it
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     /// Animate the pendulum next to its curve (an SVG animation, for browsers)
@@ -56,13 +56,7 @@ pub(crate) struct Motion {
 
 impl Motion {
     fn made_with(&self) -> Vec<String> {
-        let start = if self.velocity.abs() > 0.0 {
-            let angle = parameters::said("θ(0)", self.angle.degrees(), "°").replace(" °", "°");
-            vec![angle, parameters::said("θ′(0)", self.velocity, "rad/s")]
-        } else {
-            vec![parameters::amplitude(self.angle.radians())]
-        };
-        start
+        parameters::of_release(self.angle, self.velocity)
             .into_iter()
             .chain(parameters::of_pendulum(self.pendulum.length(), self.pendulum.gravity()))
             .collect()
@@ -73,19 +67,15 @@ impl Motion {
         let motion = arguments::motion(&pendulum, self.angle, self.velocity)?;
         let comparison = Comparison::new(self, pendulum.angular_frequency())?;
         let times = self.times.read(&pendulum, &motion)?;
-        let drawn = match &self.figure {
-            Some(path) => {
-                let picture = figure::motion::compared(&motion, &comparison.curves(), times.ends());
-                let made_with = self.made_with();
-                let picture = picture.with_parameters(made_with);
-                let picture = match self.animate {
-                    true => figure::animation::of_motion(picture, &motion, times.ends()),
-                    false => picture,
-                };
-                vec![figure::file::write(path, &picture, &self.layout)?]
-            }
-            None => vec![],
-        };
+        let drawn = figure::file::drawn(self.figure.as_deref(), &self.layout, || {
+            let picture = figure::motion::compared(&motion, &comparison.curves(), times.ends());
+            let made_with = self.made_with();
+            let picture = picture.with_parameters(made_with);
+            Ok(match self.animate {
+                true => figure::animation::of_motion(picture, &motion, times.ends()),
+                false => picture,
+            })
+        })?;
         let listed = drawn.is_empty();
         let answer =
             write::MotionResult { pendulum: self.pendulum, motion: &motion, comparison: &comparison, listed };

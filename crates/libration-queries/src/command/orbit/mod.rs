@@ -56,7 +56,7 @@ pub(crate) struct OrbitQuestion {
     /// The coordinate whose value at the start is kept, in a family of orbits near a guess [default: the farthest from zero]
     #[arg(long, value_name = "NAME", requires = "period")]
     hold: Option<CoordinateName>,
-    /// Draw the orbit to FILE.svg, FILE.pdf or FILE.png, in time and in the plane of coordinate and velocity
+    /// Draw the orbit to FILE.svg, .pdf, .png or .json, in time and in the plane of coordinate and velocity
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
@@ -89,13 +89,9 @@ impl OrbitQuestion {
         let (kind, orbit, harmonics) = outcome.ok_or_else(early)?.map_err(|error| failure(error, &model))?;
         note_shorter_period(&model, &orbit);
         let answer = OrbitResult { model, kind, orbit, harmonics };
-        let drawn = match &self.figure {
-            Some(path) => {
-                let picture = figure::orbit::orbit(&answer.model, &answer.orbit);
-                vec![figure::file::write(path, &picture, &self.layout)?]
-            }
-            None => vec![],
-        };
+        let drawn = figure::file::drawn(self.figure.as_deref(), &self.layout, || {
+            Ok(figure::orbit::orbit(&answer.model, &answer.orbit))
+        })?;
         answer.write(out, self.form.form(), drawn.is_empty())?;
         announce(out, self.form.form(), &drawn)?;
         Ok(out.flush()?)

@@ -5,13 +5,15 @@ mod sheet;
 mod table;
 
 use crate::arguments::{AmplitudeOptions, FormulaChoice, PendulumOptions};
+use crate::figure::PictureOptions;
 use crate::interrupt;
-use crate::output::{Form, FormOptions};
+use crate::output::{Form, FormOptions, announce};
 use crate::query_error::QueryError;
 use fields::{Estimate, Swing};
 use libration::period_formulas::{PeriodFormula, fractional_errors};
 use libration::quantity::Angle;
 use std::io::Write;
+use std::sync::Arc;
 use table::SwingsTable;
 
 pub(crate) use fields::answers;
@@ -29,6 +31,7 @@ pub(crate) use fields::answers;
   libration period --period '2.10(1)s'    # its amplitude
   libration period 1deg:179deg:1deg --formulas bernoulli,kidd_fogg
   libration period 10deg:170deg:10deg --csv    # with every formula
+  libration period 10deg:170deg:10deg --figure periods.svg
   printf '60deg\\n1.2\\npi-1e-6\\n' | libration period --from-file - --csv")
 )]
 pub(crate) struct Period {
@@ -39,6 +42,8 @@ pub(crate) struct Period {
     /// The order of the formulas
     #[arg(long, value_enum, default_value = "error")]
     sort: FormulaOrder,
+    #[command(flatten)]
+    picture: PictureOptions,
     #[command(flatten)]
     pendulum: PendulumOptions,
     #[command(flatten)]
@@ -59,9 +64,11 @@ impl Period {
             true => self.pendulum.with_uncertainty()?,
             false => (self.pendulum.pendulum()?, 0.0),
         };
-        let amplitudes = self.amplitudes.read(&pendulum, of_small_swings)?;
+        let amplitudes = Arc::new(self.amplitudes.read(&pendulum, of_small_swings)?);
         interrupt::listen()?;
         let swings = SwingsTable { question: self, amplitudes: &amplitudes, pendulum: &pendulum };
+        let (own, options) = (Arc::clone(&amplitudes), self.pendulum);
+        let drawn = self.picture.drawn(move || table::picture(&own, &pendulum, options))?;
         match self.form.form() {
             Form::Json => swings.write_json(out)?,
             Form::Csv => swings.write_csv(out)?,
@@ -70,6 +77,7 @@ impl Period {
                 None => swings.write(out)?,
             },
         }
+        announce(out, self.form.form(), &drawn)?;
         out.flush()?;
         interrupt::ended_early("the amplitudes")
     }

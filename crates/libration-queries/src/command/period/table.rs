@@ -2,7 +2,9 @@
 
 use super::fields::{self, DIGITS, Estimate, SMALL_ANGLE_PERIOD, Swing};
 use super::{Period, estimates};
-use crate::arguments::Amplitudes;
+use crate::arguments::{Amplitudes, PendulumOptions};
+use crate::figure::chart::{Picture, Point};
+use crate::figure::{parameters, swing_periods};
 use crate::output::json::{self, Record};
 use crate::output::progress::{ProgressLine, counted};
 use crate::output::table::{self, Column, Table};
@@ -107,4 +109,16 @@ impl SwingsTable<'_> {
             hand_on(&text)
         })
     }
+}
+
+/// The exact period against the amplitude.
+pub(super) fn picture(amplitudes: &Amplitudes, pendulum: &Pendulum, options: PendulumOptions) -> Picture {
+    let given: Vec<_> = amplitudes.iter().collect();
+    let point = |swing: &Swing| Point {
+        x_uncertainty: swing.uncertainty.map(f64::to_degrees),
+        ..Point::new(swing.amplitude.angle().degrees(), swing.exact.period)
+    };
+    let points = Swing::all(&given, pendulum).iter().map(point).collect();
+    swing_periods::swing_periods(pendulum, points)
+        .with_parameters(parameters::of_pendulum(options.length(), options.gravity()))
 }

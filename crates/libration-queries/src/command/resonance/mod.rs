@@ -77,7 +77,7 @@ pub(crate) struct ResonanceQuestion {
     /// Divisors below this fraction of the least frequency count as resonances
     #[arg(long, value_name = "PART", default_value = "0.1", value_parser = part)]
     detuning: f64,
-    /// Draw the amplitudes in time to FILE.svg, FILE.pdf or FILE.png instead of listing the terms; needs --initial
+    /// Draw the amplitudes in time to FILE.svg, .pdf, .png or .json instead of listing the terms; needs --initial
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable, requires = "initial")]
     figure: Option<PathBuf>,
     #[command(flatten)]
@@ -128,16 +128,9 @@ impl ResonanceQuestion {
         let early =
             || QueryError::cancelled("interrupted before the normal form was known: nothing is written");
         let answer = answer.ok_or_else(early)?.map_err(failure)?;
-        let drawn = match &self.figure {
-            Some(path) => {
-                vec![figure::file::write(
-                    path,
-                    &figure::resonance::amplitudes(&answer.shown()?),
-                    &self.layout,
-                )?]
-            }
-            None => vec![],
-        };
+        let drawn = figure::file::drawn(self.figure.as_deref(), &self.layout, || {
+            Ok(figure::resonance::amplitudes(&answer.shown()?))
+        })?;
         answer.write(out, self.form.form(), drawn.is_empty())?;
         Ok(announce(out, self.form.form(), &drawn)?)
     }

@@ -101,7 +101,7 @@ pub(crate) struct ResponseQuestion {
     /// Also sweep the parameter slowly up and down through N values by integration [default: 48 if a picture is drawn, else none]
     #[arg(long, value_name = "N", value_parser = count::<MOST_VALUES>)]
     sweeps: Option<usize>,
-    /// Draw amplitude against parameter to FILE.svg, FILE.pdf or FILE.png instead of listing the points
+    /// Draw amplitude against parameter to FILE.svg, .pdf, .png or .json instead of listing the points
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
@@ -134,13 +134,9 @@ pub(crate) struct ResponseResult {
 impl ResponseQuestion {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let answer = self.computed()?;
-        let drawn = match &self.figure {
-            Some(path) => {
-                let picture = figure::response::response(&answer.curve());
-                vec![figure::file::write(path, &picture, &self.layout)?]
-            }
-            None => vec![],
-        };
+        let drawn = figure::file::drawn(self.figure.as_deref(), &self.layout, || {
+            Ok(figure::response::response(&answer.curve()))
+        })?;
         answer.write(out, self.form.form(), drawn.is_empty())?;
         announce(out, self.form.form(), &drawn)?;
         out.flush()?;

@@ -51,7 +51,7 @@ pub(crate) struct PoincareQuestion {
     /// The two state variables that the picture shows [default: a coordinate and its velocity]
     #[arg(long, value_name = "NAME,NAME", requires = "figure")]
     axes: Option<String>,
-    /// Draw the section to FILE.svg, FILE.pdf or FILE.png instead of listing the points
+    /// Draw the section to FILE.svg, .pdf, .png or .json instead of listing the points
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
@@ -87,14 +87,10 @@ impl PoincareQuestion {
             starts,
             sections,
         };
-        let drawn = match &self.figure {
-            Some(path) => {
-                let axes = self.axes(&model)?.map(|component| StateAxis::new(&model, component));
-                let picture = figure::section::section(&model, &answer.starts, &answer.sections, &axes);
-                vec![figure::file::write(path, &picture, &self.layout)?]
-            }
-            None => vec![],
-        };
+        let drawn = figure::file::drawn(self.figure.as_deref(), &self.layout, || {
+            let axes = self.axes(&model)?.map(|component| StateAxis::new(&model, component));
+            Ok(figure::section::section(&model, &answer.starts, &answer.sections, &axes))
+        })?;
         answer.write(out, self.form.form(), drawn.is_empty())?;
         announce(out, self.form.form(), &drawn)?;
         out.flush()?;

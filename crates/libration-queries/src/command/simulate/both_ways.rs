@@ -3,7 +3,8 @@
 use super::motion::SimulatedMotion;
 use super::report::{AnswerWriter, Summary};
 use super::resume::State;
-use super::run::{RunOutcome, ended};
+use super::run::{MotionPicture, RunOutcome, ended};
+use crate::figure::simulation::{Trace, TwoTraces};
 use crate::interrupt;
 use crate::query_error::{QueryError, option};
 use libration::systems::Energy;
@@ -13,7 +14,7 @@ use libration::taylor::{
 use std::io::Write;
 use std::ops::ControlFlow;
 
-impl SimulatedMotion<'_> {
+impl<'a> SimulatedMotion<'a> {
     /// Returns `true` if there are times before the start and after it.
     pub(super) fn goes_both_ways(&self) -> bool {
         let (first, last) = self.times.ends();
@@ -21,7 +22,7 @@ impl SimulatedMotion<'_> {
     }
 
     /// Refuses options that need a motion in one direction.
-    pub(super) fn check_both_ways(&self, is_drawn: bool) -> Result<(), QueryError> {
+    pub(super) fn check_both_ways(&self, is_animated: bool) -> Result<(), QueryError> {
         let times: Vec<f64> = self.times.iter().collect();
         if let Some(pair) = times.windows(2).find(|pair| pair[1] < pair[0]) {
             let (before, after) = (pair[0], pair[1]);
@@ -34,7 +35,7 @@ impl SimulatedMotion<'_> {
         let refused = match () {
             () if self.earlier.is_some() => option("resume"),
             () if self.watched.until().is_some() => option("until"),
-            () if is_drawn => option("figure"),
+            () if is_animated => option("animate"),
             () => return Ok(()),
         };
         let reason = "it needs motions in one direction: give <--times> all after 0, or all before it";
@@ -45,6 +46,7 @@ impl SimulatedMotion<'_> {
     pub(super) fn write_both_ways(
         &self,
         system: &System,
+        figure: Option<MotionPicture<'_>>,
         report: &mut dyn AnswerWriter,
         out: &mut dyn Write,
     ) -> Result<RunOutcome, QueryError> {
@@ -52,9 +54,13 @@ impl SimulatedMotion<'_> {
         let (start, times) = (self.beginning(), self.times.iter().collect::<Vec<_>>());
         let new = || SampledErrors::new(system, &start, &self.effort(), &times, self.gradients());
         let mut errors = self.no_errors().is_none().then(new);
+        let mut sides = figure.as_ref().map(|_| self.sides());
         let follow = |step: &AcceptedStep<'_>| {
             if let Some(errors) = &mut errors {
                 errors.follow(step);
+            }
+            if let Some(sides) = &mut sides {
+                sides.follow(step.step());
             }
             interrupt::check()
         };
@@ -71,7 +77,24 @@ impl SimulatedMotion<'_> {
         }
         report.end(&summary, out)?;
         out.flush()?;
-        Ok(RunOutcome { ending, state, drawn: vec![] })
+        let drawn = self.drawn(figure, sides.map(|sides| self.joined(sides, &solution)))?;
+        Ok(RunOutcome { ending, state, drawn })
+    }
+
+    /// Empty traces on both sides of the start.
+    pub(super) fn sides(&self) -> TwoTraces<'a> {
+        let ends = (self.times.iter().next().unwrap_or(0.0), self.times.last());
+        TwoTraces::new(self.model, self.observables, ends)
+    }
+
+    /// The trace of the whole motion with its events.
+    pub(super) fn joined<'t>(&self, sides: TwoTraces<'t>, solution: &Solution) -> Trace<'t> {
+        let mut trace = sides.joined();
+        for event in &solution.events {
+            let coordinate = self.watched.coordinate(&self.watched.happening(event));
+            trace.mark(coordinate, event.time, &event.state);
+        }
+        trace
     }
 
     /// The motion with the drift of its energy on either side and the uncertainty of the drift; `watch` receives each step.

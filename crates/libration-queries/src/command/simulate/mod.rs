@@ -117,7 +117,7 @@ pub(crate) struct Simulate {
     /// Do not estimate the errors of the states, which saves time
     #[arg(long)]
     no_errors: bool,
-    /// Draw the coordinates and the formulas of --columns against time to FILE.svg, FILE.pdf or FILE.png instead of listing the samples
+    /// Draw the coordinates and the formulas of --columns against time to FILE.svg, .pdf, .png or .json instead of listing the samples
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     /// Draw one state variable against another instead of the coordinates against time, such as theta,theta'
@@ -180,7 +180,8 @@ impl Simulate {
             self.axes.as_deref().map(|names| arguments::places_in_state(&model, &option("axes"), names));
         let axes =
             axes.transpose()?.map(|components| components.map(|component| StateAxis::new(&model, component)));
-        let figure = self.figure.as_deref().map(|path| run::MotionPicture {
+        let path = self.figure.as_deref();
+        let figure = figure::file::is_drawn(path).then_some(run::MotionPicture {
             path,
             layout: &self.layout,
             axes,

@@ -26,7 +26,8 @@ use std::path::Path;
 /// A picture of the motion.
 #[derive(Debug)]
 pub(super) struct MotionPicture<'a> {
-    pub(super) path: &'a Path,
+    /// The file, if one is named.
+    pub(super) path: Option<&'a Path>,
     pub(super) layout: &'a figure::Layout,
     /// Axes of the picture, if it does not show the coordinates against time.
     pub(super) axes: Option<[StateAxis; 2]>,
@@ -53,11 +54,11 @@ impl SimulatedMotion<'_> {
         keeper: Option<Keeper>,
     ) -> Result<RunOutcome, QueryError> {
         interrupt::listen()?;
-        self.check_times(figure.is_some())?;
+        self.check_times(figure.as_ref().is_some_and(|figure| figure.animate))?;
         let system = self.system()?;
-        let mut report = report(form, figure.is_none());
+        let mut report = report(form, figure.as_ref().is_none_or(|figure| figure.path.is_none()));
         if self.goes_both_ways() {
-            return self.write_both_ways(&system, &mut *report, out);
+            return self.write_both_ways(&system, figure, &mut *report, out);
         }
         let energy = self.model.energy();
         let balance = energy.as_ref().ok().map(|energy| self.balance(energy));
@@ -76,24 +77,30 @@ impl SimulatedMotion<'_> {
             ending: ending.clone(),
             state: Some(state.clone()),
         })?;
-        let drawn = match (figure, watch.trace) {
-            (Some(figure), Some(trace)) => {
-                let start = &self.initial.state;
-                let picture = match &figure.axes {
-                    Some(axes) => trace.plane(self.model, start, axes),
-                    None if figure.animate => trace.animated(self.model, start),
-                    None => trace.picture(self.model, start),
-                };
-                vec![figure::file::write(figure.path, &picture, figure.layout)?]
-            }
-            _ => vec![],
-        };
+        let drawn = self.drawn(figure, watch.trace)?;
         Ok(RunOutcome { ending, state, drawn })
     }
 
+    /// Draws the picture, if there is one; a sentence for it.
+    pub(super) fn drawn(
+        &self,
+        figure: Option<MotionPicture<'_>>,
+        trace: Option<Trace<'_>>,
+    ) -> Result<Vec<String>, QueryError> {
+        let Some((figure, trace)) = figure.zip(trace) else { return Ok(vec![]) };
+        let start = &self.initial.state;
+        figure::file::drawn(figure.path, figure.layout, || {
+            Ok(match &figure.axes {
+                Some(axes) => trace.plane(self.model, start, axes),
+                None if figure.animate => trace.animated(self.model, start),
+                None => trace.picture(self.model, start),
+            })
+        })
+    }
+
     /// Refuses times that cannot be reached, or that are incompatible with other options.
-    pub(super) fn check_times(&self, is_drawn: bool) -> Result<(), QueryError> {
-        if self.goes_both_ways() { self.check_both_ways(is_drawn) } else { check_order(self.times) }
+    pub(super) fn check_times(&self, is_animated: bool) -> Result<(), QueryError> {
+        if self.goes_both_ways() { self.check_both_ways(is_animated) } else { check_order(self.times) }
     }
 
     fn system(&self) -> Result<System, QueryError> {

@@ -59,7 +59,7 @@ pub(crate) struct StabilityQuestion {
     /// Number of lines in each direction on which driven motions are followed; 0 for the equilibrium alone
     #[arg(long, value_name = "N", default_value = "3", value_parser = at_most::<MOST_LINES>)]
     lines: usize,
-    /// Draw the map to FILE.svg, FILE.pdf or FILE.png instead of listing the curves
+    /// Draw the map to FILE.svg, .pdf, .png or .json instead of listing the curves
     #[arg(long, value_name = "FILE", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
@@ -79,13 +79,9 @@ pub(crate) struct StabilityResult {
 impl StabilityQuestion {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let answer = self.computed()?;
-        let drawn = match &self.figure {
-            Some(path) => {
-                let picture = figure::stability::stability(&answer.map());
-                vec![figure::file::write(path, &picture, &self.layout)?]
-            }
-            None => vec![],
-        };
+        let drawn = figure::file::drawn(self.figure.as_deref(), &self.layout, || {
+            Ok(figure::stability::stability(&answer.map()))
+        })?;
         answer.write(out, self.form.form(), drawn.is_empty())?;
         announce(out, self.form.form(), &drawn)?;
         out.flush()?;

@@ -35,7 +35,7 @@ pub(super) struct SpectrumQuestion {
     /// Number of swings in a window, at least three
     #[arg(long, value_name = "N", requires = "spectrum", default_value = "5", value_parser = arguments::count::<MOST_SWINGS>)]
     swings: usize,
-    /// Draw the spectrum with the pendulum's harmonics to FILE.svg, FILE.pdf or FILE.png
+    /// Draw the spectrum with the pendulum's harmonics to FILE.svg, .pdf, .png or .json
     #[arg(long, value_name = "FILE", requires = "spectrum", value_parser = figure::file::drawable)]
     figure: Option<PathBuf>,
     #[command(flatten)]
@@ -61,10 +61,9 @@ impl SpectrumQuestion {
     ) -> Result<(), QueryError> {
         let traces = recording.traces(file)?;
         let answer = self.spectra(&file.display().to_string(), &traces)?;
-        let drawn = match &self.figure {
-            Some(path) => vec![figure::file::write(path, &measured_spectra(&answer.spectra), &self.layout)?],
-            None => vec![],
-        };
+        let drawn = figure::file::drawn(self.figure.as_deref(), &self.layout, || {
+            Ok(measured_spectra(&answer.spectra))
+        })?;
         answer.write(out, form.form())?;
         Ok(announce(out, form.form(), &drawn)?)
     }

@@ -8,7 +8,9 @@ use super::setting::Setting;
 use crate::figure::simulation::Trace;
 use crate::{interrupt, parallel};
 use libration::systems::EnergyBalance;
-use libration::taylor::{IntegrationError, Moment, Solution, Step, Trajectory, integrate_many_stepwise};
+use libration::taylor::{
+    AcceptedStep, IntegrationError, Moment, Solution, Step, Trajectory, integrate_many_stepwise,
+};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread::available_parallelism;
@@ -71,7 +73,7 @@ impl<'a> Piece<'_, 'a> {
     /// Integrates the motions; `None` for those that had not begun when the run was cancelled.
     fn follow(&self, drawn: bool, progress: &MotionsProgress) -> Vec<Option<Followed<'a>>> {
         let followed = match self.motions[0].1.motion.goes_both_ways() {
-            true => self.motions.iter().map(|(_, listed)| both_ways(listed, progress)).collect(),
+            true => self.motions.iter().map(|(_, listed)| both_ways(listed, drawn, progress)).collect(),
             false => self.side_by_side(drawn, progress),
         };
         let begun = |followed: &Followed<'_>| {
@@ -154,14 +156,21 @@ impl<'m, 'a> Account<'m, 'a> {
 }
 
 /// Follows a motion on both sides of the start.
-fn both_ways<'a>(listed: &Listed<'a>, progress: &MotionsProgress) -> Followed<'a> {
+fn both_ways<'a>(listed: &Listed<'a>, drawn: bool, progress: &MotionsProgress) -> Followed<'a> {
     let Setting { system, energy, .. } = listed.setting;
-    let (outcome, drift) =
-        listed.motion.integrate_both_ways(system, energy.as_ref().ok(), |_| interrupt::check());
+    let mut sides = drawn.then(|| listed.motion.sides());
+    let follow = |step: &AcceptedStep<'_>| {
+        if let Some(sides) = &mut sides {
+            sides.follow(step.step());
+        }
+        interrupt::check()
+    };
+    let (outcome, drift) = listed.motion.integrate_both_ways(system, energy.as_ref().ok(), follow);
     progress.tell(&mut 0, progress.last);
     let (ending, solution) = concluded(listed, outcome);
     let drift = energy.as_ref().map(|_| drift).map_err(Clone::clone);
-    Followed { solution, ending, drift, trace: None }
+    let trace = sides.map(|sides| listed.motion.joined(sides, &solution));
+    Followed { solution, ending, drift, trace }
 }
 
 /// The ending of a motion.

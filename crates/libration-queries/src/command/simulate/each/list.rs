@@ -42,7 +42,7 @@ pub(super) fn listed<'a>(
             no_errors: question.reason_for_no_errors(),
         };
         if number == 1 {
-            motion.check_times(question.figure.is_some())?;
+            motion.check_times(question.animate)?;
         }
         Ok(Listed { number, row, setting, motion })
     });

@@ -56,7 +56,8 @@ impl Simulate {
             self.axes.as_deref().map(|names| arguments::places_in_state(&model, &option("axes"), names));
         let axes = axes.transpose()?.map(|components| components.map(|index| StateAxis::new(&model, index)));
         interrupt::listen()?;
-        let followed = follow::all(&motions, self.figure.is_some());
+        let is_drawn = figure::file::is_drawn(self.figure.as_deref()) && motions.len() <= MOST_CURVES;
+        let followed = follow::all(&motions, is_drawn);
         let done = motions.iter().zip(followed).filter_map(|(motion, followed)| Some((motion, followed?)));
         let answer = SimulatedEach {
             path,
@@ -66,10 +67,8 @@ impl Simulate {
             with_events: !settings[0].watched.is_empty(),
             motions: done.collect(),
         };
-        let drawn = match &self.figure {
-            Some(path) => vec![figure::file::write(path, &answer.picture(axes.as_ref()), &self.layout)?],
-            None => vec![],
-        };
+        let drawn =
+            figure::file::drawn(self.figure.as_deref(), &self.layout, || Ok(answer.picture(axes.as_ref())))?;
         self.write_each(&answer, drawn, out)?;
         answer.into_result(motions.len())
     }
