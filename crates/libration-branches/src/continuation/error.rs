@@ -66,7 +66,13 @@ pub enum BranchError {
     /// No motion to begin with, at either end.
     #[error("no periodic solution was found at the ends of the range or at the given value: {0}")]
     NoStart(OrbitError),
-    /// A periodic solution that cannot be followed.
+    /// A periodic solution of a driven system next to which no other one was found.
+    #[error(
+        "the periodic solution that was found cannot be followed: Newton's method finds none next to it, as where a force jumps; give another \
+         start"
+    )]
+    NoNeighbour,
+    /// A periodic solution without a drive that cannot be followed.
     #[error(
         "the periodic solution that was found cannot be followed: without a drive it begins at a turning point of the first coordinate; \
          write the equation of one that oscillates first, or give another start"

@@ -202,6 +202,7 @@ impl Search<'_> {
             match self.through(value, &start, into) {
                 Ok(Some(walked)) => self.keep(found, walked, 0),
                 Ok(None) if self.family.watch.is_stopped() => {}
+                Ok(None) if self.family.is_driven() => missing.push((value, BranchError::NoNeighbour)),
                 Ok(None) => missing.push((value, BranchError::NotFollowed)),
                 Err(error) => missing.push((value, error)),
             }

@@ -8,6 +8,7 @@ extern crate libration_branches as libration;
 mod brute_force;
 mod continuation;
 mod crossings;
+mod equivalent_forms;
 mod first_order;
 mod forced_references;
 mod melnikov;

@@ -1,6 +1,8 @@
 //! Properties of motions that follow from the form of their equations.
 
 use crate::taylor::StateLayout;
+use crate::taylor::program::open_signs::OpenSigns;
+use libration_numbers::algebra::{Rational, Rationals, Ring};
 use libration_numbers::expression::{Equation, Expression, Function, Symbol};
 
 /// The name of the time in equations.
@@ -79,20 +81,40 @@ fn occurs(equation: &Equation, symbol: &Symbol) -> bool {
 }
 
 /// Returns `true` if a formula does not change when these coordinates increase by a full turn: with the values of functions that a turn
-/// leaves taken as constants, its slope in the direction of the turn vanishes.
+/// leaves taken as constants, its slope in the direction of the turn vanishes. Sines and cosines of half angles change their signs.
 fn turns_leave(formula: &Expression, turning: &[Symbol]) -> bool {
-    functions_stay(formula, turning) && slope(&with_constants(formula, turning), turning).vanishes()
+    let change = || Expression::Subtract(Box::new(formula.clone()), Box::new(after_turn(formula, turning)));
+    functions_stay(formula, turning)
+        && slope(&with_constants(formula, turning), turning).vanishes()
+        && change().vanishes()
 }
 
-/// Returns `true` if no value of a function in a formula changes.
+/// Returns `true` if no value of a function in a formula changes, apart from signs of sines and cosines.
 fn functions_stay(formula: &Expression, turning: &[Symbol]) -> bool {
     match formula {
         Expression::Call(function, a) => {
             let is_periodic = matches!(function, Function::Sin | Function::Cos | Function::Tan);
-            let turns = is_periodic.then(|| slope(a, turning).to_rational()).flatten();
-            turns.is_some_and(|turns| turns.is_integer()) || turns_leave(a, turning)
+            let half_turns = half_turns(a, turning).filter(|_| is_periodic);
+            half_turns.is_some_and(|turns| turns.is_integer()) || turns_leave(a, turning)
         }
         _ => formula.parts().all(|part| functions_stay(part, turning)),
+    }
+}
+
+/// The number of half turns of an argument during a full turn, if it is a number.
+fn half_turns(argument: &Expression, turning: &[Symbol]) -> Option<Rational> {
+    let turns = slope(argument, turning).to_rational()?;
+    Some(Rationals.add(&turns, &turns))
+}
+
+/// The formula after a full turn, which changes the signs of sines and cosines of half angles.
+fn after_turn(formula: &Expression, turning: &[Symbol]) -> Expression {
+    let is_odd = |turns: Rational| Rationals.over_integer(&turns, 2).is_some_and(|half| !half.is_integer());
+    match formula {
+        Expression::Call(Function::Sin | Function::Cos, a) if half_turns(a, turning).is_some_and(is_odd) => {
+            Expression::Negate(Box::new(formula.clone()))
+        }
+        _ => formula.with_parts(|part| after_turn(part, turning)),
     }
 }
 
@@ -113,13 +135,13 @@ fn slope(formula: &Expression, turning: &[Symbol]) -> Expression {
     slopes.reduce(sum).unwrap_or_else(|| Expression::Number(0.into()))
 }
 
-/// Returns `true` if the equations contain sign(…), at whose jumps the linearised equations fail.
+/// Returns `true` if the equations contain sign(…), or x/|x|, at whose jumps the linearised equations fail.
 #[doc(hidden)]
 pub fn has_jumps(equation: &Equation) -> bool {
     fn jumps(formula: &Expression) -> bool {
         matches!(formula, Expression::Call(Function::Sign, _)) || formula.parts().any(jumps)
     }
-    equation.derivatives().iter().any(jumps)
+    equation.derivatives().iter().any(jumps) || OpenSigns::new(equation).is_some()
 }
 
 /// The reason why a system cannot have chaotic motions.

@@ -334,7 +334,8 @@ impl Maxima {
         }
         let all = || speeds.iter().fold(0.0, |all: f64, speed| all.max(speed.abs()));
         let pace = if self.at_once { all() } else { self.pace };
-        let is_faded = pace * self.time < FADED * (self.range.1 - self.range.0);
+        // A component that has never moved is at rest as well.
+        let is_faded = pace * self.time <= FADED * (self.range.1 - self.range.0);
         if self.faded == 0 {
             self.moved_until = step.start();
         }
@@ -382,7 +383,7 @@ impl Maxima {
     /// Returns `true` if the coordinate is at rest: at its speed it would
     /// take many times the elapsed time for a significant part of its range.
     fn is_still(&self) -> bool {
-        self.pace * self.time < VANISHED * (self.range.1 - self.range.0)
+        self.pace * self.time <= VANISHED * (self.range.1 - self.range.0)
     }
 
     /// Returns `true` if the coordinate is farther away than any orbit that is searched.

@@ -75,6 +75,19 @@ pub(super) struct Unknowns {
     pub(super) period: bool,
 }
 
+impl Unknowns {
+    /// The unknowns without components whose rates of change are zero: they close with any value.
+    fn without_constants(&self, equation: &Equation, rounds: &Rounds<'_>) -> Self {
+        let layout = rounds.layout();
+        let is_constant = |number: usize| {
+            let driving = layout.driving(number).filter(|_| !layout.is_velocity(number));
+            driving.is_some_and(|coordinate| equation.derivatives()[coordinate].vanishes())
+        };
+        let free = self.free.iter().copied().filter(|number| !is_constant(*number)).collect();
+        Self { free, period: self.period }
+    }
+}
+
 /// Maximum number of rounds of Newton's method; in 40 rounds of the next constant a size can change by the factor 1.3⁴⁰ = 4·10⁴.
 const MOST_ROUNDS: usize = 40;
 /// Largest change of a state component in one round, relative to its size.
@@ -94,6 +107,7 @@ pub(super) fn closed(
     guess: &OrbitGuess,
     unknowns: &Unknowns,
 ) -> Result<Orbit, OrbitError> {
+    let unknowns = &unknowns.without_constants(equation, rounds);
     let orbit = closed_once(equation, rounds, guess, unknowns)?;
     if !unknowns.period {
         let of_drive = drive_repeats(rounds, &orbit)?;

@@ -871,3 +871,27 @@ fn a_response_is_reached_past_the_end_of_another() {
     let off = libm::hypot(start[0] + 0.2745424178995959, start[1] - 0.044868219669804886);
     assert!(off < 1e-13, "{off:e}");
 }
+
+/// A component that never moves, before or after the others, with the equation z' = −z, z″ = −z − z'/10 or c' = 0, has no effect on the cycle.
+#[test]
+fn components_that_never_move_do_not_change_a_cycle() {
+    let cycle = |text: &str, start: &[f64]| Orbit::limit_cycle(&equation(text), start, &Quiet).unwrap();
+    let alone = cycle("x'' = (1 - x^2)*x' - x", &[0.5, 0.0]);
+    for (text, start) in [
+        ("x'' = (1 - x^2)*x' - x; z'' = -z - z'/10", vec![0.5, 0.0, 0.0, 0.0]),
+        ("z'' = -z - z'/10; x'' = (1 - x^2)*x' - x", vec![0.0, 0.5, 0.0, 0.0]),
+        ("z' = -z; x'' = (1 - x^2)*x' - x", vec![0.0, 0.5, 0.0]),
+        ("x'' = (1 - x^2)*x' - x; c' = 0", vec![0.5, 1.0, 0.0]),
+        ("c' = 0; x'' = (1 - x^2)*x' - x", vec![0.0, 0.5, 0.0]),
+    ] {
+        let found = cycle(text, &start);
+        assert_within(
+            found.period(),
+            alone.period(),
+            found.period_uncertainty() + alone.period_uncertainty(),
+            text,
+        );
+    }
+    let rest = Orbit::limit_cycle(&equation("x'' = -x - x'; c' = 0"), &[0.0, 1.0, 0.0], &Quiet).unwrap_err();
+    assert!(matches!(rest, OrbitError::NoCycle(Lost::Rest)), "{rest}");
+}

@@ -749,10 +749,32 @@ fn motions_with_kinks_are_determined_where_they_come_to_rest() {
     }
 }
 
-/// Forces that jump at the same surface, once as a simple zero of a nonlinear formula and once as one of a linear formula, have the same motion.
+/// A motion that begins at a jump, by an equation of the second order and by two of the first order.
+#[test]
+fn friction_on_a_released_body_is_determined_in_both_forms() {
+    let (second, errors) = ended("x'' = -x - 0.3*sign(x')", &[("x", 3.0)], 8.0);
+    let (first, others) = ended("x' = v; v' = -x - 0.3*sign(v)", &[("x", 3.0)], 8.0);
+    let (errors, others) = (errors.unwrap(), others.unwrap());
+    for number in 0..2 {
+        let off = (first[number] - second[number]).abs();
+        assert!(off <= errors[number] + others[number], "{first:?} ± {others:?}, {second:?} ± {errors:?}");
+        assert!(others[number] < 1e-12, "{others:?}");
+    }
+}
+
+/// Forces that jump at the same surface, once as a zero of a nonlinear formula and once as one of a linear formula, have the same motion within
+/// their errors, which are small unless the nonlinear formula vanishes with its slope and is not a power.
 #[test]
 fn jumps_at_curved_arguments_are_where_these_vanish() {
+    const FLAT: [&str; 2] = ["sign(x - sin(x))", "sign(sinh(x) - x)"];
     let pairs = [
+        ("sign(x^3)", "sign(x)"),
+        ("sign(-2*x*abs(x))", "sign(-x)"),
+        ("sign(sin(x)^3/4)", "sign(sin(x))"),
+        ("(max(sign(x), 0) - 1/2)*2", "sign(x)"),
+        ("x/sqrt(x^2)", "sign(x)"),
+        (FLAT[0], "sign(x)"),
+        (FLAT[1], "sign(x)"),
         ("sign(x*(x + 0.3))", "sign(x)*sign(x + 0.3)"),
         ("sign(x^3 - 0.125)", "sign(x - 0.5)"),
         ("sign(exp(2*x) - 0.5)", "sign(x + log(2)/2)"),
@@ -778,7 +800,8 @@ fn jumps_at_curved_arguments_are_where_these_vanish() {
                 let off = (curved_end.0[number] - linear_end.0[number]).abs();
                 let allowed = curved_end.1[number] + linear_end.1[number];
                 assert!(off <= allowed, "{curved} {tolerance:e}: {off:e} {allowed:e}");
-                assert!(allowed < 1e4 * tolerance.max(1e-16), "{curved} {tolerance:e}: {allowed:e}");
+                let largest = if FLAT.contains(&curved) { 1e-3 } else { 1e4 * tolerance.max(1e-16) };
+                assert!(allowed < largest, "{curved} {tolerance:e}: {allowed:e}");
             }
         }
     }

@@ -71,11 +71,14 @@ impl RoundedStep {
     }
 
     /// The error of the time at which the arguments of the signs are zero: the time is computed to the last bit of the step, and rounded, and a
-    /// rounding error of an argument shifts it by the time in which the argument changes by this error.
+    /// rounding error of an argument shifts it by the time in which the argument changes by this error. The zero of an argument that bends there,
+    /// as x − sin x does, is known to a root of the remaining value.
     fn late(&self, formulas: &mut Formulas, next: &Step<'_>, signs: &[f64]) -> f64 {
         const PART: f64 = 1.0 / 64.0;
+        /// The largest order at which a zero is taken for one that is passed with a rate of change.
+        const SIMPLE: f64 = 1.5;
         let apart = PART * (next.end() - next.start());
-        let [here, near] = [0.0, apart].map(|after| {
+        let [here, nearer, near] = [0.0, 0.5 * apart, apart].map(|after| {
             formulas.evaluate(signs, &moment(next, next.start() + after));
             (0..signs.len()).map(|modulus| formulas.argument(modulus)).collect::<Vec<_>>()
         });
@@ -83,7 +86,14 @@ impl RoundedStep {
         let lost = other.map(|modulus| {
             let [value, error] = here[modulus];
             let change = (near[modulus][0] - value).abs();
-            if error > 0.0 { error * (apart / change).abs() } else { 0.0 }
+            let order = libm::log2(change / (nearer[modulus][0] - value).abs());
+            match error > 0.0 {
+                true if order > SIMPLE => {
+                    apart.abs() * libm::pow((value.abs() + error) / change, 1.0 / order)
+                }
+                true => error * (apart / change).abs(),
+                false => 0.0,
+            }
         });
         ROUNDING * next.start().abs() + f64::EPSILON * self.length.abs() + lost.sum::<f64>()
     }

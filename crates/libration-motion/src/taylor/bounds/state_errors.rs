@@ -20,6 +20,7 @@ use crate::taylor::drivers::stepper::Stepper;
 use crate::taylor::program::linearised::{ROUNDING, half_ulp};
 use crate::taylor::step::sizes_of_terms::SizesOfTerms;
 use crate::taylor::{AcceptedStep, Contact, Effort, Moment, StateLayout, Step, System};
+use libration_numbers::expression::Expression;
 
 /// The errors of a motion, updated with each of its steps.
 ///
@@ -73,6 +74,8 @@ pub struct StateErrors {
     added: Vec<f64>,
     /// Buffer for the derivatives of the state.
     flow: Matrix,
+    /// The component that is the rate of change of each: its velocity, or v in the equations x' = v; v' = ….
+    rates: Vec<Option<usize>>,
     /// The largest size of each component so far.
     pub(in crate::taylor) scales: Vec<f64>,
     /// The time of the last state that is determined.
@@ -102,6 +105,7 @@ impl StateErrors {
             bounds: [vec![0.0; numbers], vec![0.0; numbers]],
             added: vec![0.0; numbers],
             flow: Matrix::zero(numbers),
+            rates: rates(system),
             scales: start.state.iter().map(|value| value.abs()).collect(),
             reached: start.time,
             is_lost: false,
@@ -284,14 +288,9 @@ impl StateErrors {
     /// length of the step or, for a velocity, of its coordinate divided by that length.
     fn size_of(&self, number: usize, length: f64) -> f64 {
         const PART: f64 = 1e-9;
-        let layout = &self.layout;
-        let other = match layout.velocity(number) {
-            Some(velocity) => self.scales[velocity] * length,
-            None => {
-                let accelerated = layout.driving(number).filter(|_| layout.is_velocity(number));
-                accelerated.map_or(0.0, |coordinate| self.scales[coordinate] / length)
-            }
-        };
+        let of_rate = self.rates[number].map_or(0.0, |rate| self.scales[rate] * length);
+        let integral = self.rates.iter().position(|rate| *rate == Some(number));
+        let other = integral.map_or(of_rate, |integral| of_rate.max(self.scales[integral] / length));
         // Components that are zero so far, such as derivatives by the stiffness of a spring that is not yet touched, are determined with their
         // errors, and so are numbers below the range of those with all digits.
         let size = self.scales[number].max(PART * other);
@@ -303,4 +302,18 @@ impl StateErrors {
         let (scale, spread) = (self.steps.sqrt(), &self.spreads[1]);
         self.bounds[1].iter_mut().enumerate().for_each(|(number, bound)| *bound = scale * spread.of(number));
     }
+}
+
+/// The component that equals the rate of change of each, if there is one.
+fn rates(system: &System) -> Vec<Option<usize>> {
+    let (layout, equation) = (system.layout(), system.equation());
+    let symbols = layout.symbols(equation.variables());
+    let rate = |number: usize| match (layout.velocity(number), layout.driving(number)) {
+        (None, Some(coordinate)) => {
+            let formula = &equation.derivatives()[coordinate];
+            symbols.iter().position(|symbol| *formula == Expression::Symbol(symbol.clone()))
+        }
+        (velocity, _) => velocity,
+    };
+    (0..layout.numbers()).map(rate).collect()
 }

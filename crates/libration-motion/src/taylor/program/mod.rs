@@ -8,6 +8,7 @@ pub(crate) mod expander;
 pub(crate) mod linearised;
 pub(in crate::taylor) mod machine_code;
 pub(in crate::taylor) mod moduli;
+pub(in crate::taylor) mod monomials;
 pub(crate) mod open_signs;
 pub(in crate::taylor) mod passage;
 pub(in crate::taylor) mod plan;

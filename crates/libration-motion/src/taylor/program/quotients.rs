@@ -1,11 +1,17 @@
 //! Quotients whose numerator and denominator vanish together: x′/√|x′| is √|x′|·sign(x′), which has a value at zero.
 
+use super::monomials::with_simple_bases;
 use libration_numbers::algebra::{Rational, Rationals, Ring};
 use libration_numbers::expression::{Equation, Expression, Function};
 
-/// The equations with u^k/|u|^p replaced by |u|^(k−p)·sign(u) for odd k ≥ p, and by |u|^(k−p) for even k.
+/// The equations with u^k/|u|^p replaced by |u|^(k−p)·sign(u) for odd k ≥ p, and by |u|^(k−p) for even k, after absolute values, signs and
+/// roots of powers of u were replaced.
 pub(in crate::taylor) fn with_values_at_zero(equation: Equation) -> Equation {
-    let derivatives: Vec<Expression> = equation.derivatives().iter().map(with_value_at_zero).collect();
+    let derivatives: Vec<Expression> = equation
+        .derivatives()
+        .iter()
+        .map(|formula| with_value_at_zero(&with_simple_bases(formula)))
+        .collect();
     if derivatives == equation.derivatives() {
         return equation;
     }
@@ -13,8 +19,7 @@ pub(in crate::taylor) fn with_values_at_zero(equation: Equation) -> Equation {
 }
 
 fn with_value_at_zero(formula: &Expression) -> Expression {
-    let mut product = Product::default();
-    product.collect(formula, &Rational::from(1));
+    let mut product = Product::of(formula);
     let Some(power) = product.joined() else { return formula.with_parts(with_value_at_zero) };
     let rest = product.factors.iter();
     let whole = rest.fold(power, |whole, (base, exponent)| times(whole, with_value_at_zero(base), exponent));
@@ -23,13 +28,19 @@ fn with_value_at_zero(formula: &Expression) -> Expression {
 
 /// The sign and the factors of a product or a quotient.
 #[derive(Default)]
-struct Product<'a> {
-    is_negative: bool,
+pub(super) struct Product<'a> {
+    pub(super) is_negative: bool,
     /// Bases with their exponents.
-    factors: Vec<(&'a Expression, Rational)>,
+    pub(super) factors: Vec<(&'a Expression, Rational)>,
 }
 
 impl<'a> Product<'a> {
+    pub(super) fn of(formula: &'a Expression) -> Self {
+        let mut product = Self::default();
+        product.collect(formula, &Rational::from(1));
+        product
+    }
+
     fn collect(&mut self, formula: &'a Expression, exponent: &Rational) {
         match formula {
             Expression::Negate(a) => {

@@ -11,6 +11,10 @@ fn an_angle_is_left_alone_by_a_turn() {
     );
     assert_eq!(angles(&equation("x'' = -sin(x/2)")), [false]);
     assert_eq!(angles(&equation("x'' = -x*cos(x)")), [false]);
+    assert_eq!(angles(&equation("x'' = -2*sin(x/2)*cos(x/2) + tan(x/2)")), [true]);
+    assert_eq!(angles(&equation("x'' = -sin(x/2)^2 - sin(3*x/2)*sin(x/2)")), [true]);
+    assert_eq!(angles(&equation("x'' = -2*sin(x/2)*cos(x/2) - cos(x/2)")), [false]);
+    assert_eq!(angles(&equation("x'' = -sin(x/2)*cos(x)")), [false]);
     assert_eq!(angles(&equation("x'' = -x'")), [false]);
 }
 
@@ -30,6 +34,7 @@ fn coordinates_turn_together_where_only_their_differences_are_outside_of_sines()
 fn jumps_are_found_where_they_remain() {
     let friction = equation("x'' = -x - c*sign(x') - x'*abs(x')");
     assert!(has_jumps(&friction));
+    assert!(has_jumps(&equation("x'' = -x - 0.3*x'/abs(x')")));
     assert!(!has_jumps(&friction.with(&[("c", Expression::from(0))]).unwrap()));
 }
 

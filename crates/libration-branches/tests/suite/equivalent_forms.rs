@@ -1,0 +1,31 @@
+//! The same system in two forms has the same special points.
+
+use crate::typed::equation;
+use libration::continuation::{Response, ResponseOptions};
+use libration::progress::Quiet;
+
+/// The special points over a range, in the order of the parameter, and the number of branches.
+fn found(text: &str, [from, to]: [f64; 2]) -> (Vec<(String, f64, f64)>, usize) {
+    let options = ResponseOptions { generations: 1, ..ResponseOptions::default() };
+    let response = Response::over(&equation(text), "w", [from, to], &options, &Quiet).unwrap();
+    let special = response.branches.iter().flat_map(|branch| &branch.special);
+    let mut special: Vec<_> = special.map(|it| (it.kind.to_string(), it.point.parameter, it.error)).collect();
+    special.sort_by(|a, b| a.1.total_cmp(&b.1));
+    (special, response.branches.len())
+}
+
+fn assert_same(a: &str, b: &str, range: [f64; 2]) {
+    let [(first, branches), (second, others)] = [a, b].map(|text| found(text, range));
+    assert_eq!(branches, others, "{a}, {b}");
+    assert_eq!(first.len(), second.len(), "{a}: {first:?}; {b}: {second:?}");
+    for ((kind, at, error), (other_kind, other, other_error)) in first.into_iter().zip(second) {
+        assert_eq!(kind, other_kind, "{a}, {b} at {at}, {other}");
+        assert!((at - other).abs() <= error + other_error, "{a}, {b}: {kind} at {at} and {other}");
+    }
+}
+
+#[test]
+fn a_pendulum_by_half_angles_has_the_same_folds() {
+    let driven = |force: &str| format!("x'' = -x'/10 - {force} + 0.15*cos(w*t)");
+    assert_same(&driven("sin(x)"), &driven("2*sin(x/2)*cos(x/2)"), [1.4, 0.3]);
+}
