@@ -429,7 +429,9 @@ impl<'a> Walk<'a> {
             self.leave_unresolved(&next);
         }
         let before = self.nodes.len();
-        self.special.extend(specials.into_iter().map(|it| (SpecialPoint { before, ..it.special }, it.node)));
+        self.special.extend(
+            specials.into_iter().map(|special| (SpecialPoint { before, ..special.special }, special.node)),
+        );
         self.largest = self.largest.max(self.corrector.family.largest_swing(&next.point));
         self.milestones.push(self.milestone(&next, self.last));
         self.nodes.push(next);

@@ -131,7 +131,7 @@ impl Family<'_> {
         }
         if space.mirrored {
             // The whole period is twice the time of the map.
-            multipliers.iter_mut().for_each(|it| *it = squared(*it));
+            multipliers.iter_mut().for_each(|multiplier| *multiplier = squared(*multiplier));
         }
         Some((point.with_multipliers(multipliers), of_map))
     }

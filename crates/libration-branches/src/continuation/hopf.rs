@@ -98,7 +98,7 @@ impl Rest {
         let state = newton(&Doubles, state, MOST_ROUNDS, step, is_last).ok()?;
         let eigenvalues = eigenvalues(&jacobian(&field.at(&state, &[value])?))?;
         let off = |number: &&Complex| (number.im - frequency).abs();
-        let above = eigenvalues.iter().filter(|it| it.im > 0.0);
+        let above = eigenvalues.iter().filter(|eigenvalue| eigenvalue.im > 0.0);
         let critical = *above.min_by(|a, b| off(a).total_cmp(&off(b)))?;
         Some(Self { state, eigenvalues, critical })
     }

@@ -83,7 +83,7 @@ impl Tests {
     /// The tests of a map whose multipliers are taken as exact.
     pub(super) fn new(image: &Image, fold: f64) -> Option<Self> {
         let multipliers = eigenvalues(image.return_map())?;
-        Some(Self::of(&multipliers.into_iter().map(|it| (it, 0.0)).collect::<Vec<_>>(), fold))
+        Some(Self::of(&multipliers.into_iter().map(|multiplier| (multiplier, 0.0)).collect::<Vec<_>>(), fold))
     }
 
     /// The tests of multipliers with their errors, by descending magnitude.

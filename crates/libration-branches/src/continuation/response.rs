@@ -136,21 +136,23 @@ struct FollowedBranches {
     open: Vec<(usize, Meeting)>,
 }
 
+/// A value of the parameter at which branches begin, with the direction into the range.
+type Beginning = (f64, f64);
+/// The motions found there.
+type Starts = (Beginning, Result<Vec<Start>, BranchError>);
+
 impl Search<'_> {
-    /// The motions to begin with at the ends of the range, or at the given value, with the direction into the range.
-    fn starts_of_range(&self) -> Vec<((f64, f64), Result<Vec<Start>, BranchError>)> {
+    /// The motions to begin with at the ends of the range, or at the given value.
+    fn starts_of_range(&self) -> Vec<Starts> {
         let [low, high] = self.range;
         let beginnings = self.options.at.map_or(vec![(low, 1.0), (high, -1.0)], |at| vec![(at, 1.0)]);
         beginnings.into_iter().map(|begin_at| (begin_at, self.starts(begin_at.0))).collect()
     }
 
-    fn response(
-        &self,
-        starts: Vec<((f64, f64), Result<Vec<Start>, BranchError>)>,
-    ) -> Result<Response, BranchError> {
+    fn response(&self, starts: Vec<Starts>) -> Result<Response, BranchError> {
         let mut followed = FollowedBranches::default();
         let mut missing: Vec<(f64, BranchError)> = vec![];
-        let beginnings: Vec<(f64, f64)> = starts.iter().map(|(begin_at, _)| *begin_at).collect();
+        let beginnings: Vec<Beginning> = starts.iter().map(|(begin_at, _)| *begin_at).collect();
         for (begin_at, starts) in starts {
             match starts {
                 Ok(starts) => self.begin(&mut followed, &mut missing, begin_at, starts),
@@ -192,7 +194,7 @@ impl Search<'_> {
         &self,
         found: &mut FollowedBranches,
         missing: &mut Vec<(f64, BranchError)>,
-        (value, into): (f64, f64),
+        (value, into): Beginning,
         starts: Vec<Start>,
     ) {
         for start in starts {

@@ -123,8 +123,9 @@ impl Response {
     fn stable_at(&self, end: f64) -> Option<&[f64]> {
         let mut points =
             self.branches.iter().flat_map(|branch| [branch.points.first(), branch.points.last()]);
-        let start = points
-            .find_map(|point| point.filter(|it| it.is_stable() && it.parameter.to_bits() == end.to_bits()));
+        let start = points.find_map(|point| {
+            point.filter(|point| point.is_stable() && point.parameter.to_bits() == end.to_bits())
+        });
         start.map(|point| &point.state[..])
     }
 }

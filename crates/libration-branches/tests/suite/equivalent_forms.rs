@@ -9,7 +9,8 @@ fn found(text: &str, [from, to]: [f64; 2]) -> (Vec<(String, f64, f64)>, usize) {
     let options = ResponseOptions { generations: 1, ..ResponseOptions::default() };
     let response = Response::over(&equation(text), "w", [from, to], &options, &Quiet).unwrap();
     let special = response.branches.iter().flat_map(|branch| &branch.special);
-    let mut special: Vec<_> = special.map(|it| (it.kind.to_string(), it.point.parameter, it.error)).collect();
+    let mut special: Vec<_> =
+        special.map(|special| (special.kind.to_string(), special.point.parameter, special.error)).collect();
     special.sort_by(|a, b| a.1.total_cmp(&b.1));
     (special, response.branches.len())
 }

@@ -99,7 +99,7 @@ fn fast_rotations_are_found() {
     };
     let equation = "theta'' = -2e9*theta' - 1e20*sin(theta) + 2e9*w + 1e20*sin(w*t)".parse().unwrap();
     let response = Response::over(&equation, "w", [1.5e10, 3e10], &options, &Quiet).unwrap();
-    let is_even = |branch: &libration::continuation::Branch| {
+    let is_even = |branch: &Branch| {
         branch.points.iter().all(|point| (point.state[1] / point.parameter - 1.0).abs() < 1e-12)
     };
     let branch = response.branches.iter().find(|branch| is_even(branch)).unwrap();
@@ -209,7 +209,7 @@ fn with_second_in(equations: [&str; 2], factor: f64) -> String {
 /// that of the first: the same singular points, with the same motions in the same units.
 #[test]
 fn coordinates_of_far_different_units_have_the_same_branches() {
-    let cases: [([&str; 2], &str, [f64; 2], Option<f64>); 4] = [
+    let cases = [
         (
             ["x''=-x-0.1*x'-x^3+0.2*(y)+0.3*cos(w*t)", "y''=-4*(y)-0.1*(y')-(y)^3+0.2*x"],
             "w",

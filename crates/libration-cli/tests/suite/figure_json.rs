@@ -115,7 +115,7 @@ fn each_command_that_draws_writes_its_chart() {
         assert!(panels.iter().all(|panel| count(panel) > 0), "{question}");
     }
     for question in libration_queries::questions() {
-        let draws = question.parameters.iter().any(|it| it.name == "figure");
+        let draws = question.parameters.iter().any(|parameter| parameter.name == "figure");
         let is_here = DRAWN.iter().any(|it| it.starts_with(&format!("{} ", question.words)));
         assert!(!draws || is_here, "{} draws, and its chart is not tested", question.words);
     }
@@ -197,7 +197,7 @@ fn the_svg_draws_what_the_chart_has() {
             let above: Vec<Value> =
                 panels[..place].iter().flat_map(|it| list(&it["series"])).map(name).collect();
             let own = list(&panel["series"]).iter().map(name);
-            own.filter(|it| !above.contains(it)).collect::<Vec<Value>>()
+            own.filter(|own| !above.contains(own)).collect::<Vec<Value>>()
         };
         let labels: Vec<Value> = panels.iter().enumerate().flat_map(new).collect();
         let labels = labels.iter().map(|it| it["label"].as_str().unwrap()).filter(|it| !it.is_empty());
@@ -212,7 +212,8 @@ fn the_svg_draws_what_the_chart_has() {
                     points(series).into_iter().map(|at| on_canvas(panel, drawn, at)).collect()
                 };
                 if series["mark"] == "line" {
-                    let same = |it: &&Value| it["colour"] == series["colour"] && it["mark"] == "line";
+                    let same =
+                        |value: &&Value| value["colour"] == series["colour"] && value["mark"] == "line";
                     let all: Vec<_> = list(&panel["series"]).iter().filter(same).map(canvas).collect();
                     let drawn = drawing.on_canvas(place, "curve", colour).concat();
                     let step = 1 + drawn.len() / 200;
@@ -223,7 +224,10 @@ fn the_svg_draws_what_the_chart_has() {
                     let markers = drawing.on_canvas(place, "markers", colour);
                     let markers: Vec<Place> = markers.iter().map(|shape| middle(shape)).collect();
                     for at in canvas(series).into_iter().filter(|at| holds(drawn, *at)) {
-                        assert!(markers.iter().any(|it| is_near(*it, at)), "{question}: {at:?} is not drawn");
+                        assert!(
+                            markers.iter().any(|marker| is_near(*marker, at)),
+                            "{question}: {at:?} is not drawn"
+                        );
                     }
                 }
             }
@@ -246,7 +250,7 @@ fn error_bars_are_uncertainties() {
                     if ends.iter().all(|end| holds(drawn, *end)) {
                         bars += 1;
                         assert!(
-                            ends.iter().all(|end| corners.iter().any(|it| is_near(*it, *end))),
+                            ends.iter().all(|end| corners.iter().any(|corner| is_near(*corner, *end))),
                             "{question}: {x}"
                         );
                     }

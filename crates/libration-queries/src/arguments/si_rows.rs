@@ -180,7 +180,7 @@ impl<const N: usize> SiRows<'_, N> {
             (_, Some(repeated), _) => {
                 return Some(repeated.rows.iter().map(|row| row.uncertainty).collect());
             }
-            (true, None, Some(cells)) => cells.iter().map(|it| self.units.units[of].to_si(*it)).collect(),
+            (true, None, Some(cells)) => cells.iter().map(|cell| self.units.units[of].to_si(*cell)).collect(),
             (true, None, None) => match self.stated(of) {
                 Some(stated) => stated,
                 None => return self.by_reaction(of),

@@ -17,9 +17,9 @@ const PARTS: [(&str, Part); 5] = [
 
 /// A curve for each part that is not zero, and the wanted uncertainty.
 pub(crate) fn plan(plan: &Plan) -> Picture {
-    let place = |it: &PlannedSwings, part: Part| (it.amplitude.to_degrees(), part(&it.expected));
+    let place = |swings: &PlannedSwings, part: Part| (swings.amplitude.to_degrees(), part(&swings.expected));
     let of_part = |part: Part| {
-        let points = plan.choices.iter().map(|it| place(it, part));
+        let points = plan.choices.iter().map(|choice| place(choice, part));
         points.filter(|(_, y)| *y > 0.0 && y.is_finite()).collect::<Vec<_>>()
     };
     let curves = PARTS.iter().enumerate().map(|(number, (label, part))| (number, *label, of_part(*part)));

@@ -53,7 +53,7 @@ impl<'a> LawComparison<'a> {
         let is_physical =
             |fit: &DecayLawFit| fit.parameters[1..=fit.terms.count()].iter().all(|&rate| rate >= 0.0);
         if let Some(terms) = given
-            && !fits.iter().any(|it| it.terms == terms && is_physical(it))
+            && !fits.iter().any(|fit| fit.terms == terms && is_physical(fit))
         {
             return Err(AmplitudesError::Law(terms));
         }
@@ -107,7 +107,7 @@ fn compared(table: &AmplitudeTable, fits: &[DecayLawFit]) -> Vec<Compared> {
     let rows = count(table.len());
     let dof = |fit: &DecayLawFit| table.len() - parameters(table, fit.terms);
     // Stated uncertainties that are too small by one factor would separate laws that they do not.
-    let birge = fits.iter().filter(|it| dof(it) > 0).map(|it| it.chi2 / count(dof(it)));
+    let birge = fits.iter().filter(|fit| dof(fit) > 0).map(|fit| fit.chi2 / count(dof(fit)));
     let scale = if table.weighted { birge.fold(f64::INFINITY, f64::min).clamp(1.0, f64::MAX) } else { 1.0 };
     let misfit = |fit: &DecayLawFit| {
         let spread: f64 = fit.deviations.iter().map(|deviation| 2.0 * libm::log(*deviation)).sum();
@@ -120,7 +120,7 @@ fn compared(table: &AmplitudeTable, fits: &[DecayLawFit]) -> Vec<Compared> {
         let parameters = parameters(table, fit.terms) + usize::from(!table.weighted);
         Some(misfit(fit) + akaike::cost(rows, count(parameters))?)
     };
-    let damped = || fits.iter().filter(|it| it.terms != DampingModel::UNDAMPED);
+    let damped = || fits.iter().filter(|fit| fit.terms != DampingModel::UNDAMPED);
     let has_criterion = damped().any(|it| aicc(it).is_some());
     // Where the rows are too few for the criterion laws of one kind of damping compare by their misfit.
     let score = |fit: &DecayLawFit| match has_criterion {

@@ -22,7 +22,7 @@ impl Plans {
         new: impl FnOnce() -> Plan,
     ) -> Arc<Plan> {
         let mut plans = self.known.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(plan) = plans.iter().find(|it| it.order == order && it.lanes == lanes) {
+        if let Some(plan) = plans.iter().find(|plan| plan.order == order && plan.lanes == lanes) {
             return Arc::clone(plan);
         }
         let new = Arc::new(new());

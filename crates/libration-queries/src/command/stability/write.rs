@@ -74,12 +74,13 @@ impl StabilityResult {
         let [first, second] = &self.parameters;
         let [columns, rows] = [0, 1].map(|which| rest.values[which].len());
         let stabilities = || rest.stable.iter().flatten().flatten();
-        let stable = match (stabilities().any(|it| *it), stabilities().any(|it| !*it)) {
-            (true, false) => "stable at all of them",
-            (false, true) => "unstable at all of them",
-            (true, true) => "stable at some of them and unstable at others",
-            (false, false) => "followed at none of them",
-        };
+        let stable =
+            match (stabilities().any(|stability| *stability), stabilities().any(|stability| !*stability)) {
+                (true, false) => "stable at all of them",
+                (false, true) => "unstable at all of them",
+                (true, true) => "stable at some of them and unstable at others",
+                (false, false) => "followed at none of them",
+            };
         let mut told = vec![format!(
             "Tested at {columns} × {rows} points of the map, the equilibrium is {stable}; tongues that lie between the points may be missing."
         )];

@@ -187,7 +187,9 @@ fn all_numbers(descriptions: &[Description], answer: &Value) -> Result<Vec<Kept>
     if !alone.is_empty() {
         return Ok(alone);
     }
-    let in_lists = descriptions.iter().filter(|it| !it.unit.is_empty() && it.name.contains("[]"));
+    let in_lists = descriptions
+        .iter()
+        .filter(|description| !description.unit.is_empty() && description.name.contains("[]"));
     let ways: Vec<String> = in_lists.map(|list| list.name.replace("[]", "[0]")).take(3).collect();
     let reason = format!(
         "all numbers of these results stand in lists: choose those to keep, such as {}",
@@ -232,7 +234,7 @@ fn described(descriptions: &[Description], kept: Kept) -> KeptField {
 
 fn description_of<'a>(descriptions: &'a [Description], kept: &Kept) -> Option<&'a Description> {
     let way = kept.described_as();
-    descriptions.iter().find(|it| describes(it, &way))
+    descriptions.iter().find(|description| describes(description, &way))
 }
 
 /// Returns `true` if a description is that of the field at a path; capitals match any name.
