@@ -7,10 +7,10 @@
 //! also separate coordinates of like units of which one hardly affects the other, so that s is used only if the extents of the motion
 //! become alike by it. Angles, whose turns count, keep their unit.
 
+use super::branch::Branch;
 use super::jumps::Jump;
 use super::options::ResponseOptions;
 use super::point::BranchPoint;
-use super::response::Response;
 use super::search::{Search, Start};
 use libration_kernels::elementary::count;
 use libration_motion::taylor::StateLayout;
@@ -66,20 +66,19 @@ impl CoordinateUnits {
         ResponseOptions { start, ..options.clone() }
     }
 
-    /// The response in the units of the equation.
-    pub(super) fn restored(&self, mut response: Response) -> Response {
-        for branch in &mut response.branches {
-            branch.points.iter_mut().for_each(|point| self.restore(point));
-            branch.special.iter_mut().for_each(|special| self.restore(&mut special.point));
+    /// Converts branches and jumps to the units of the equation.
+    pub(super) fn restore(&self, branches: &mut [Branch], jumps: &mut [Jump]) {
+        for branch in branches {
+            branch.points.iter_mut().for_each(|point| self.restore_point(point));
+            branch.special.iter_mut().for_each(|special| self.restore_point(&mut special.point));
         }
-        for Jump { from, to, .. } in &mut response.jumps {
-            self.restore(from);
-            to.iter_mut().for_each(|point| self.restore(point));
+        for Jump { from, to, .. } in jumps {
+            self.restore_point(from);
+            to.iter_mut().for_each(|point| self.restore_point(point));
         }
-        response
     }
 
-    fn restore(&self, point: &mut BranchPoint) {
+    fn restore_point(&self, point: &mut BranchPoint) {
         point.state.iter_mut().zip(&self.units).for_each(|(x, unit)| *x *= unit);
         point.ranges.iter_mut().zip(&self.units).for_each(|(range, unit)| *range = range.map(|x| x * unit));
         point.error *= self.units.iter().copied().fold(0.0, f64::max);

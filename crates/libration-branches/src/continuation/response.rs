@@ -121,7 +121,9 @@ impl Response {
         let Some(units) = first.and_then(|(value, start)| CoordinateUnits::of(&search, value, start)) else {
             return search.response(starts);
         };
-        Ok(units.restored(Self::over(&units.equation, parameter, range, &units.options(options), progress)?))
+        let mut response = Self::over(&units.equation, parameter, range, &units.options(options), progress)?;
+        units.restore(&mut response.branches, &mut response.jumps);
+        Ok(response)
     }
 }
 

@@ -3,12 +3,25 @@
 //! A power of u passes zero where u does, but its zero cannot be located to more than the root of rounding errors.
 
 use super::moduli::root_of_square;
-use super::quotients::Product;
+use super::quotients::{Product, with_value_at_zero};
 use libration_numbers::algebra::{Rational, Rationals, Ring};
-use libration_numbers::expression::{Expression, Function};
+use libration_numbers::expression::{Equation, Expression, Function};
+
+/// The equations with these powers, in which quotients of powers of u and |u| have a value at zero.
+pub(in crate::taylor) fn with_values_at_zero(equation: Equation) -> Equation {
+    let derivatives: Vec<Expression> = equation
+        .derivatives()
+        .iter()
+        .map(|formula| with_value_at_zero(&with_simple_bases(formula)))
+        .collect();
+    if derivatives == equation.derivatives() {
+        return equation;
+    }
+    Equation::of_derivatives(equation.variables().to_vec(), equation.orders().to_vec(), derivatives)
+}
 
 /// The formula with |u|^p or sign(u) in place of absolute values, signs and roots of products of numbers and powers of u.
-pub(in crate::taylor) fn with_simple_bases(formula: &Expression) -> Expression {
+fn with_simple_bases(formula: &Expression) -> Expression {
     let formula = formula.with_parts(with_simple_bases);
     let simple = match &formula {
         Expression::Call(Function::Sqrt, base) => root_of_square(base).map(|root| with_simple_bases(&root)),

@@ -1,7 +1,7 @@
 //! Equations in which the signs of all |…| are symbols, so that they are smooth on each side of every zero.
 
 use super::moduli::{Moduli, Modulus};
-use super::quotients::with_values_at_zero;
+use super::monomials::with_values_at_zero;
 use crate::taylor::StateLayout;
 use libration_numbers::expression::{Equation, Expression, Symbol};
 

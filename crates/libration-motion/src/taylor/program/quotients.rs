@@ -1,24 +1,10 @@
 //! Quotients whose numerator and denominator vanish together: x′/√|x′| is √|x′|·sign(x′), which has a value at zero.
 
-use super::monomials::with_simple_bases;
 use libration_numbers::algebra::{Rational, Rationals, Ring};
-use libration_numbers::expression::{Equation, Expression, Function};
+use libration_numbers::expression::{Expression, Function};
 
-/// The equations with u^k/|u|^p replaced by |u|^(k−p)·sign(u) for odd k ≥ p, and by |u|^(k−p) for even k, after absolute values, signs and
-/// roots of powers of u were replaced.
-pub(in crate::taylor) fn with_values_at_zero(equation: Equation) -> Equation {
-    let derivatives: Vec<Expression> = equation
-        .derivatives()
-        .iter()
-        .map(|formula| with_value_at_zero(&with_simple_bases(formula)))
-        .collect();
-    if derivatives == equation.derivatives() {
-        return equation;
-    }
-    Equation::of_derivatives(equation.variables().to_vec(), equation.orders().to_vec(), derivatives)
-}
-
-fn with_value_at_zero(formula: &Expression) -> Expression {
+/// The formula with u^k/|u|^p replaced by |u|^(k−p)·sign(u) for odd k ≥ p, and by |u|^(k−p) for even k.
+pub(super) fn with_value_at_zero(formula: &Expression) -> Expression {
     let mut product = Product::of(formula);
     let Some(power) = product.joined() else { return formula.with_parts(with_value_at_zero) };
     let rest = product.factors.iter();

@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use super::moduli::{Moduli, where_zero};
+use super::monomials::with_values_at_zero;
 use super::passage::Passage;
 use super::plan::Plans;
-use super::quotients::with_values_at_zero;
 use super::state_names::named_state;
 use crate::taylor::events::sharp::SharpFormula;
 use crate::taylor::step::allowance::Allowance;
