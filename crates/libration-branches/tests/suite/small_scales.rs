@@ -247,10 +247,13 @@ fn coordinates_of_far_different_units_have_the_same_branches() {
                     assert!(apart <= 1e-11, "{equations:?} {factor:e}: {special:?} {same:?}");
                     let [range, of_same] =
                         [special, same].map(|special| special.point.ranges[1].map(|end| end));
-                    // A fold whose parameter is known to its last digit has a motion with half the digits, and along a canard fewer.
+                    // Along a canard the parameter is the same to its last digits, and does not determine the motion at a fold.
+                    if !usual.driven && special.kind == SpecialKind::Fold {
+                        continue;
+                    }
                     let size = of_same[1].abs().max(of_same[0].abs());
                     assert!(
-                        range.iter().zip(&of_same).all(|(a, b)| (a / factor - b).abs() <= 1e-4 * size),
+                        range.iter().zip(&of_same).all(|(a, b)| (a / factor - b).abs() <= 1e-6 * size),
                         "{range:?} {of_same:?} {factor:e}"
                     );
                 }
