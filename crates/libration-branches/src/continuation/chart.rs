@@ -1,6 +1,7 @@
 //! Stability over two parameters: the stability boundaries of an equilibrium, and the curves of singular points of driven motions.
 
 use super::branch::Branch;
+use super::coordinate_units::CoordinateUnits;
 use super::curve::{CurvePoint, SpecialCurve, Trace};
 use super::edges::{Crossing, Grid, RestStability};
 use super::error::BranchError;
@@ -8,9 +9,11 @@ use super::family::{Family, TOLERANCES};
 use super::options::ResponseOptions;
 use super::point::BranchPoint;
 use super::response::Response;
+use super::search::Search;
 use super::singular::Singular;
 use super::space::Space;
 use super::special::{SpecialKind, SpecialPoint, Test};
+use super::turns::Turns;
 use libration_numbers::algebra::BigFloat;
 use libration_numbers::expression::{Equation, Expression};
 use libration_numbers::internals::progress::Watch;
@@ -103,6 +106,14 @@ impl StabilityChart {
         let family = Family::new(equation, &parameters, &ranges, watch)?;
         let start = options.start.clone().unwrap_or_else(|| vec![0.0; family.layout.numbers()]);
         let survey = Survey { equation, parameters, family: &family, ranges, options, start: &start };
+        if let Some((scaled, units)) =
+            survey.units().and_then(|units| Some((units.equation(equation)?, units)))
+        {
+            let options = ChartOptions { start: Some(units.state(&start)), ..options.clone() };
+            let mut chart = Self::over(&scaled, parameters, ranges, &options, progress)?;
+            units.restore_curves(&mut chart.curves);
+            return Ok(chart);
+        }
         let (rest, mut curves) = survey.rest();
         survey.driven(&mut curves);
         Ok(Self { rest, curves, interrupted: watch.is_stopped() })
@@ -256,17 +267,35 @@ impl Survey<'_> {
         }
     }
 
-    /// The singular points along a line.
-    fn seeds(&self, fixed: usize, value: f64) -> Vec<Seed> {
-        let exact = BigFloat::from_f64(value, 53).map(|it| Expression::Number(it.to_rational()));
-        let equation = exact.and_then(|exact| self.equation.with(&[(self.parameters[fixed], exact)]).ok());
-        let Some(equation) = equation else { return vec![] };
-        let options = ResponseOptions {
+    /// The equation with a value of one of the parameters.
+    fn with_value(&self, fixed: usize, value: f64) -> Option<Equation> {
+        let exact = Expression::Number(BigFloat::from_f64(value, 53)?.to_rational());
+        self.equation.with(&[(self.parameters[fixed], exact)]).ok()
+    }
+
+    fn response_options(&self) -> ResponseOptions {
+        ResponseOptions {
             start: Some(self.start.to_vec()),
             drive_periods: self.options.drive_periods,
             generations: self.options.generations,
             ..ResponseOptions::default()
-        };
+        }
+    }
+
+    /// The units of the coordinates by a motion, if those of the equation do not do.
+    fn units(&self) -> Option<CoordinateUnits> {
+        let [range, [low, high]] = self.ranges;
+        let equation = &self.with_value(1, f64::midpoint(low, high))?;
+        let family = &Family::new(equation, &self.parameters[..1], &[range], self.family.watch).ok()?;
+        let (options, parameter, turns) = (&self.response_options(), self.parameters[0], Turns::of(equation));
+        let search = Search { equation, parameter, family, turns, range, options };
+        CoordinateUnits::of(&search, range[0], search.starts(range[0]).ok()?.first()?)
+    }
+
+    /// The singular points along a line.
+    fn seeds(&self, fixed: usize, value: f64) -> Vec<Seed> {
+        let Some(equation) = self.with_value(fixed, value) else { return vec![] };
+        let options = self.response_options();
         let open = 1 - fixed;
         let watch = self.family.watch.part();
         let response = Response::over(&equation, self.parameters[open], self.ranges[open], &options, &watch);

@@ -8,8 +8,8 @@
 //! become alike by it. Angles, whose turns count, keep their unit.
 
 use super::branch::Branch;
+use super::curve::SpecialCurve;
 use super::jumps::Jump;
-use super::options::ResponseOptions;
 use super::point::BranchPoint;
 use super::search::{Search, Start};
 use libration_kernels::elementary::count;
@@ -28,8 +28,6 @@ const STATES: u32 = 16;
 /// A unit for each component of a state.
 pub(super) struct CoordinateUnits {
     units: Vec<f64>,
-    /// The equation in these units.
-    pub(super) equation: Equation,
 }
 
 impl CoordinateUnits {
@@ -55,15 +53,17 @@ impl CoordinateUnits {
         };
         let gain = spread(&vec![1.0; units.len()]) / spread(&units);
         let usable = units.iter().all(|unit| unit.is_normal()) && gain >= GAIN;
-        let equation = in_units(search.equation, &units).filter(|_| usable)?;
-        Some(Self { units: layout.arrange(units.clone(), |coordinate| units[coordinate]), equation })
+        usable.then(|| Self { units: layout.arrange(units.clone(), |coordinate| units[coordinate]) })
     }
 
-    /// The options in these units.
-    pub(super) fn options(&self, options: &ResponseOptions) -> ResponseOptions {
-        let start =
-            options.start.as_ref().map(|start| start.iter().zip(&self.units).map(|(x, s)| x / s).collect());
-        ResponseOptions { start, ..options.clone() }
+    /// The equation in these units.
+    pub(super) fn equation(&self, equation: &Equation) -> Option<Equation> {
+        in_units(equation, &self.units[..equation.variables().len()])
+    }
+
+    /// A state in these units.
+    pub(super) fn state(&self, state: &[f64]) -> Vec<f64> {
+        state.iter().zip(&self.units).map(|(x, unit)| x / unit).collect()
     }
 
     /// Converts branches and jumps to the units of the equation.
@@ -78,10 +78,20 @@ impl CoordinateUnits {
         }
     }
 
+    /// Converts curves of singular motions, whose errors are those of parameters.
+    pub(super) fn restore_curves(&self, curves: &mut [SpecialCurve]) {
+        let points = curves.iter_mut().flat_map(|curve| curve.points.iter_mut().chain(&mut curve.cusps));
+        points.for_each(|point| self.restore_motion(&mut point.point));
+    }
+
     fn restore_point(&self, point: &mut BranchPoint) {
+        self.restore_motion(point);
+        point.error *= self.units.iter().copied().fold(0.0, f64::max);
+    }
+
+    fn restore_motion(&self, point: &mut BranchPoint) {
         point.state.iter_mut().zip(&self.units).for_each(|(x, unit)| *x *= unit);
         point.ranges.iter_mut().zip(&self.units).for_each(|(range, unit)| *range = range.map(|x| x * unit));
-        point.error *= self.units.iter().copied().fold(0.0, f64::max);
     }
 }
 

@@ -118,10 +118,13 @@ impl Response {
         let starts = search.starts_of_range();
         let first =
             starts.iter().find_map(|((value, _), starts)| Some((*value, starts.as_ref().ok()?.first()?)));
-        let Some(units) = first.and_then(|(value, start)| CoordinateUnits::of(&search, value, start)) else {
+        let units = first.and_then(|(value, start)| CoordinateUnits::of(&search, value, start));
+        let Some((scaled, units)) = units.and_then(|units| Some((units.equation(equation)?, units))) else {
             return search.response(starts);
         };
-        let mut response = Self::over(&units.equation, parameter, range, &units.options(options), progress)?;
+        let start = options.start.as_deref().map(|start| units.state(start));
+        let mut response =
+            Self::over(&scaled, parameter, range, &ResponseOptions { start, ..options.clone() }, progress)?;
         units.restore(&mut response.branches, &mut response.jumps);
         Ok(response)
     }

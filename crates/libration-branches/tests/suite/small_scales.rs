@@ -261,3 +261,32 @@ fn coordinates_of_far_different_units_have_the_same_branches() {
         }
     }
 }
+
+/// The folds of two driven oscillators over frequency and drive, with the unit of the second coordinate far from that of the first.
+#[test]
+fn coordinates_of_far_different_units_have_the_same_chart() {
+    let equations = ["x''=-x-0.1*x'-x^3+0.2*(y)+F*cos(w*t)", "y''=-4*(y)-0.1*(y')-(y)^3+0.2*x"];
+    let chart = |factor: f64| {
+        let equation = with_second_in(equations, factor).parse().unwrap();
+        let options = ChartOptions { lines: 1, ..ChartOptions::default() };
+        StabilityChart::over(&equation, ["w", "F"], [[0.8, 1.4], [0.1, 0.5]], &options, &Quiet).unwrap()
+    };
+    let usual = chart(1.0);
+    assert!(usual.curves.iter().any(|curve| curve.kind == SpecialKind::Fold), "{usual:?}");
+    for factor in [1e-9, 1e10] {
+        let other = chart(factor);
+        assert_eq!(other.curves.len(), usual.curves.len(), "{factor:e}");
+        for (curve, same) in other.curves.iter().zip(&usual.curves) {
+            assert_eq!(
+                (curve.kind, curve.endings, curve.cusps.len()),
+                (same.kind, same.endings, same.cusps.len())
+            );
+            for (cusp, of_same) in curve.cusps.iter().zip(&same.cusps) {
+                let apart = [cusp.point.parameter - of_same.point.parameter, cusp.second - of_same.second];
+                assert!(apart.iter().all(|apart| apart.abs() < 1e-9), "{factor:e}: {apart:?}");
+                let [height, of_usual] = [cusp, of_same].map(|cusp| cusp.point.ranges[1][1]);
+                assert!((height / factor / of_usual - 1.0).abs() < 1e-6, "{factor:e}: {height}, {of_usual}");
+            }
+        }
+    }
+}
