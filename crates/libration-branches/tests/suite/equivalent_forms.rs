@@ -30,3 +30,17 @@ fn a_pendulum_by_half_angles_has_the_same_folds() {
     let driven = |force: &str| format!("x'' = -x'/10 - {force} + 0.15*cos(w*t)");
     assert_same(&driven("sin(x)"), &driven("2*sin(x/2)*cos(x/2)"), [1.4, 0.3]);
 }
+
+/// The cycle of the Brusselator begins at b = 2, whichever equation comes first: next to it terms of y' are equal, and only rounding is left.
+#[test]
+fn the_order_of_equations_does_not_change_a_hopf_point() {
+    for text in ["x' = 1 - (b+1)*x + x^2*y; y' = b*x - x^2*y", "y' = b*x - x^2*y; x' = 1 - (b+1)*x + x^2*y"] {
+        let options = ResponseOptions { at: Some(2.15), ..ResponseOptions::default() };
+        let response = Response::over(&equation(text), "b", [1.99, 2.2], &options, &Quiet).unwrap();
+        let special = &response.branches[0].special;
+        assert!(
+            special.len() == 1 && (special[0].point.parameter - 2.0).abs() < 1e-13,
+            "{text}: {special:?}"
+        );
+    }
+}

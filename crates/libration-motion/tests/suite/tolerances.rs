@@ -111,3 +111,16 @@ fn tolerances_that_cannot_be_are_refused() {
         assert!(matches!(refused(&[("y", relative)]), ToleranceError::OutOfRange { .. }), "{relative}");
     }
 }
+
+/// A coordinate of a small motion about 2 begins to turn: two equal terms cancel in its rate of change, whose rounding is its error.
+#[test]
+fn a_small_motion_that_turns_takes_few_steps_in_any_order_of_the_equations() {
+    let rates = ["y' = 2.000000002729829*x - x^2*y", "x' = 1 - 3.000000002729829*x + x^2*y"];
+    for equations in [rates, [rates[1], rates[0]]] {
+        let system = System::new(&equations.join("; ").parse().unwrap()).unwrap();
+        let start = system.start(&[("y", 2.0000879906149276), ("x", 0.9999560071101364)]).unwrap();
+        let effort = Effort::to_tolerance(1e-17);
+        let solution = integrate(&system, &start, &[1.0], &effort, &Quiet).unwrap();
+        assert!(solution.steps < 100, "{equations:?}: {} steps", solution.steps);
+    }
+}

@@ -166,10 +166,14 @@ impl<const N: usize> Stepper<'_, N> {
     fn noise(&mut self, lane: usize, time: f64, state: &[f64], exact: &[f64]) -> Vec<f64> {
         /// Factor for the rounding errors of the formulas, which are similar to those measured.
         const MARGIN: f64 = 8.0;
+        // With signs of one kind alone, formulas such as b·x − x²·y hide their noise where both terms are equal.
+        const SIGNS: [f64; 2] = [-1.0, 1.0];
         let mut noise = vec![0.0; exact.len()];
-        for ulps in [1.0, -2.0, 3.0, -4.0] {
+        for (ulps, odd) in
+            [1.0, -2.0, 3.0, -4.0].into_iter().flat_map(|ulps| SIGNS.map(|sign| (ulps, sign * ulps)))
+        {
             let rounded = |(j, value): (usize, &f64)| {
-                value * (1.0 + if j % 2 == 0 { ulps } else { -ulps } * f64::EPSILON)
+                value * (1.0 + if j % 2 == 0 { ulps } else { odd } * f64::EPSILON)
             };
             let state: Vec<f64> = state.iter().enumerate().map(rounded).collect();
             let beside = self.accelerations(lane, time * (1.0 + ulps * f64::EPSILON), &state);
