@@ -284,6 +284,9 @@ impl Survey<'_> {
 
     /// The units of the coordinates by a motion, if those of the equation do not do.
     fn units(&self) -> Option<CoordinateUnits> {
+        if self.family.layout.coordinates() < 2 {
+            return None;
+        }
         let [range, [low, high]] = self.ranges;
         let equation = &self.with_value(1, f64::midpoint(low, high))?;
         let family = &Family::new(equation, &self.parameters[..1], &[range], self.family.watch).ok()?;

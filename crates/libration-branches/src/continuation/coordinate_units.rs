@@ -34,6 +34,9 @@ impl CoordinateUnits {
     /// The units for a search by its first motion; `None` if the given ones do.
     pub(super) fn of(search: &Search<'_>, value: f64, start: &Start) -> Option<Self> {
         let layout = &search.family.layout;
+        if layout.coordinates() < 2 {
+            return None;
+        }
         let ranges = search.family.ranges_of(start.space, &start.unknowns, value)?;
         let extents: Vec<f64> = ranges.iter().map(|[low, high]| 0.5 * (high - low)).collect();
         let box_of_motion = MotionBox { ranges: &ranges, period: search.period_of(start, value)?, value };
