@@ -290,3 +290,46 @@ fn coordinates_of_far_different_units_have_the_same_chart() {
         }
     }
 }
+
+/// A rotating pendulum with an oscillator whose unit is far smaller: whole turns of the angle count in radians.
+#[test]
+fn an_angle_keeps_its_unit_next_to_a_coordinate_of_another_unit() {
+    let equations =
+        ["theta''=-0.2*theta'-sin(theta)+0.2*w+2*sin(w*t)+0.05*(y)", "y''=-9*(y)-0.2*(y')+0.1*sin(theta)"];
+    let branch = |factor: f64| {
+        let options = ResponseOptions {
+            rotation: Some(Rotation { coordinate: 0, turns: 1 }),
+            at: Some(2.0),
+            generations: 0,
+            ..ResponseOptions::default()
+        };
+        let equation = with_second_in(equations, factor).parse().unwrap();
+        Response::over(&equation, "w", [1.8, 2.2], &options, &Quiet).unwrap().branches.swap_remove(0)
+    };
+    let usual = branch(1.0);
+    for factor in [1e-8, 1e8] {
+        let other = branch(factor);
+        assert_eq!((other.beginning, other.ending), (usual.beginning, usual.ending));
+        let ends = [&other, &usual].map(|branch| branch.points.last().unwrap());
+        assert_eq!(ends[0].parameter, ends[1].parameter);
+        for (component, unit) in [(0, 1.0), (1, factor), (2, 1.0), (3, factor)] {
+            let [own, same] = ends.map(|point| point.state[component]);
+            assert!((own / unit - same).abs() < 1e-11, "{factor:e}: {own:e} {same}");
+        }
+    }
+}
+
+/// A coordinate that hardly acts back has the unit of the other one, since both move alike: units that balanced their effects would be 1e-10 of it.
+#[test]
+fn a_coordinate_that_hardly_acts_back_keeps_its_unit() {
+    let special = |back: &str| {
+        let equation = format!("x''=-x-0.1*x'-x^3+{back}*y+0.3*cos(w*t); y''=-4*y-0.1*y'-y^3+0.2*x");
+        special(&equation, "w", [0.6, 2.0], None)
+    };
+    let (usual, tiny) = (special("0"), special("1e-20"));
+    assert!(usual.len() >= 2 && usual.len() == tiny.len(), "{usual:?} {tiny:?}");
+    assert!(
+        usual.iter().zip(&tiny).all(|(a, b)| a.0 == b.0 && (a.1 - b.1).abs() < 1e-11),
+        "{usual:?} {tiny:?}"
+    );
+}

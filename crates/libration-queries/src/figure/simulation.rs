@@ -191,7 +191,7 @@ impl<'a> TwoTraces<'a> {
         self.0[side].follow(step, step.end());
     }
 
-    /// Both traces as one, in the order of time.
+    /// The two traces as one, in the order of time.
     pub(crate) fn joined(self) -> Trace<'a> {
         let [before, after] = self.0;
         // Both begin at the start.
