@@ -154,8 +154,7 @@ function controlled(description: Description, control: Control, event: string, b
       return unit.measured;
     },
     measure: (its) => unit.set(its),
-    // A bare number has the unit of the field.
-    refuse: (reason) => say(error, control, isAngle ? reason.replace(", 1.2 (radians)", "") : reason),
+    refuse: (reason) => say(error, control, reason),
     onChange: (changed) => control.addEventListener(event, changed),
   };
 }

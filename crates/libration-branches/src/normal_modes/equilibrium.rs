@@ -3,7 +3,7 @@
 //! In double precision a force vanishes by rounding where it decreases slowly, as √(x² + a) − x does far out, and a double zero is known to half
 //! the digits. So Newton's method continues with numbers of 256 bits, where only a simple zero attracts it quadratically.
 
-use super::error::{ModesError, SearchEnd};
+use super::error::{ModesError, Position, SearchEnd};
 use libration_numbers::algebra::{BigFloat, Doubles, Floats, Rational, Rationals, Ring};
 use libration_numbers::internals::roots::{NewtonError, Unsolved, correction, newton};
 use libration_numbers::{
@@ -34,7 +34,19 @@ pub(super) fn equilibrium(equation: &Equation, guess: &[f64]) -> Result<Equilibr
     if let Some(exact) = proved(&at_rest, &names, guess, 0.0) {
         return Ok(Equilibrium { at: guess.to_vec(), exact: Some(exact), precise: None });
     }
-    let near = zero_near(&at_rest, &names, guess)?;
+    let no_equilibrium = |to: &[f64], end| ModesError::NoEquilibrium {
+        from: Position::new(equation, guess),
+        to: Position::new(equation, to),
+        end,
+    };
+    let near = zero_near(&at_rest, &names, guess)?.map_err(|Unsolved { at: to, reason }| {
+        let end = match reason {
+            NewtonError::NoValue => SearchEnd::NoValue,
+            NewtonError::NoSlope => SearchEnd::NoSlope,
+            NewtonError::Unsettled => SearchEnd::Unsettled,
+        };
+        no_equilibrium(&to, end)
+    })?;
     let to_f64 = |at: &[BigFloat]| at.iter().map(BigFloat::to_f64).collect::<Vec<_>>();
     let (to, established, rounding) = match precise_zero(&at_rest, &names, &near)? {
         Ok(precise) => (to_f64(&precise), Ok(Some(precise)), PRECISE),
@@ -48,7 +60,7 @@ pub(super) fn equilibrium(equation: &Equation, guess: &[f64]) -> Result<Equilibr
     }
     match established {
         Ok(precise) => Ok(Equilibrium { at: to, exact: None, precise }),
-        Err(end) => Err(ModesError::NoEquilibrium { from: guess.to_vec(), to, end }),
+        Err(end) => Err(no_equilibrium(&to, end)),
     }
 }
 
@@ -88,7 +100,12 @@ pub(super) fn simplest(x: f64, size: f64) -> Option<Rational> {
     Some(Rational::simplest_between(&Rationals.subtract(&value, &width), &Rationals.add(&value, &width)))
 }
 
-fn zero_near(formulas: &[Expression], names: &[Symbol], guess: &[f64]) -> Result<Vec<f64>, ModesError> {
+/// The zero to which Newton's method converges from a guess in double precision.
+fn zero_near(
+    formulas: &[Expression],
+    names: &[Symbol],
+    guess: &[f64],
+) -> Result<Result<Vec<f64>, Unsolved<f64>>, ModesError> {
     const MOST_STEPS: usize = 100;
     let tape = Tape::new(&formulas.iter().collect::<Vec<_>>(), names)?;
     let size = |values: &[f64]| values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
@@ -97,14 +114,7 @@ fn zero_near(formulas: &[Expression], names: &[Symbol], guess: &[f64]) -> Result
     let step = |at: &[f64]| {
         correction(&Doubles, |x| x.abs(), &tape, at).map(|step| shortened(step, at, |at| largest(&tape, at)))
     };
-    newton(&Doubles, guess, MOST_STEPS, step, is_last).map_err(|Unsolved { at: to, reason }| {
-        let end = match reason {
-            NewtonError::NoValue => SearchEnd::NoValue,
-            NewtonError::NoSlope => SearchEnd::NoSlope,
-            NewtonError::Unsettled => SearchEnd::Unsettled,
-        };
-        ModesError::NoEquilibrium { from: guess.to_vec(), to, end }
-    })
+    Ok(newton(&Doubles, guess, MOST_STEPS, step, is_last))
 }
 
 /// The zero to which Newton's method converges from an approximate one, to [`PRECISION`] bits.

@@ -1,6 +1,6 @@
 //! Errors of the search for normal modes.
 
-use libration_numbers::expression::{SecondOrderError, WithoutValue};
+use libration_numbers::expression::{Equation, SecondOrderError, WithoutValue};
 use libration_numbers::progress::Interrupted;
 
 /// Reason why a system has no normal modes.
@@ -26,24 +26,24 @@ pub enum ModesError {
     },
     /// A guess from which no equilibrium was reached.
     #[error(
-        "no equilibrium was found from {from:?}: the search came to {to:?}, {end}; if there is one, give a guess nearer to it"
+        "no equilibrium was found from {from}: the search came to {to}, {end}; if there is one, give a guess nearer to it"
     )]
     NoEquilibrium {
         /// The guess.
-        from: Vec<f64>,
+        from: Position,
         /// The last point of Newton's method.
-        to: Vec<f64>,
+        to: Position,
         /// The reason why the method ended at this point.
         end: SearchEnd,
     },
     /// Accelerations without derivatives.
     #[error(
-        "at the equilibrium {at:?} the accelerations or their derivatives have no value, jump, or are beyond the range of numbers, so that small motions are \
+        "at the equilibrium {at} the accelerations or their derivatives have no value, jump, or are beyond the range of numbers, so that small motions are \
          not linear there: choose another equilibrium, or other coordinates"
     )]
     NotSmooth {
         /// The equilibrium.
-        at: Vec<f64>,
+        at: Position,
     },
     /// Eigenvalues that do not converge.
     #[error("the frequencies are not found: the eigenvalues of the linear equations do not converge")]
@@ -51,6 +51,32 @@ pub enum ModesError {
     /// Cancellation by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
+}
+
+/// The coordinates of a system with their names, written as `x = 1, y = 0.5`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Position {
+    /// The names of the coordinates.
+    pub names: Vec<String>,
+    /// The values, one for each name.
+    pub values: Vec<f64>,
+}
+
+impl Position {
+    pub(super) fn new(equation: &Equation, values: &[f64]) -> Self {
+        Self { names: equation.variables().iter().map(ToString::to_string).collect(), values: values.to_vec() }
+    }
+}
+
+impl std::fmt::Display for Position {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        for (i, (name, value)) in self.names.iter().zip(&self.values).enumerate() {
+            let separator = if i == 0 { "" } else { ", " };
+            let digits = format!("{value:?}");
+            write!(f, "{separator}{name} = {}", digits.strip_suffix(".0").unwrap_or(&digits))?;
+        }
+        Ok(())
+    }
 }
 
 /// Reason why the search for an equilibrium ended.

@@ -1,7 +1,7 @@
 //! The linear equations of small motions: x″ = −A·x + G·x′.
 
 use super::equilibrium::{Equilibrium, PRECISION, substituted};
-use super::error::ModesError;
+use super::error::{ModesError, Position};
 use libration_numbers::algebra::{BigFloat, Doubles, Floats, Rational, Ring};
 use libration_numbers::{
     expression::{Equation, Expression, Symbol},
@@ -41,9 +41,10 @@ pub(super) fn linearisation(equation: &Equation, rest: &Equilibrium) -> Result<L
     };
     let (above, below) = (on_side(1), on_side(-1));
     let slopes = slopes(&above, &symbols);
-    let numbers = in_numbers(&slopes, &symbols, rest)?;
-    if above != below && !is_smooth([&above, &below], &symbols, rest)? {
-        return Err(ModesError::NotSmooth { at: rest.at.clone() });
+    let not_smooth = || ModesError::NotSmooth { at: Position::new(equation, &rest.at) };
+    let numbers = in_numbers(&slopes, &symbols, rest)?.ok_or_else(not_smooth)?;
+    if above != below && is_smooth([&above, &below], &symbols, rest)? != Some(true) {
+        return Err(not_smooth());
     }
     let is_small = rest.at.len() <= MOST_EXACT;
     let exact = rest.exact.as_ref().filter(|_| is_small);
@@ -60,8 +61,8 @@ fn slopes(formulas: &[Expression], symbols: &[Symbol]) -> Vec<Vec<Expression>> {
 }
 
 /// Returns `true` if formulas and their derivatives are the same on both sides of a state. Each number is compared by itself: its
-/// unit is that of no other, and a kink of a slow coordinate is small next to the stiffness of a fast one.
-fn is_smooth(sides: [&[Expression]; 2], symbols: &[Symbol], rest: &Equilibrium) -> Result<bool, ModesError> {
+/// unit is that of no other, and a kink of a slow coordinate is small next to the stiffness of a fast one. None where one has no value.
+fn is_smooth(sides: [&[Expression]; 2], symbols: &[Symbol], rest: &Equilibrium) -> Result<Option<bool>, ModesError> {
     /// Largest relative difference: the state of a double zero of the accelerations has half the digits.
     const SAME: f64 = 1e-9;
     /// Rounding errors of terms that cancel, relative to the largest number of the same formula.
@@ -73,12 +74,12 @@ fn is_smooth(sides: [&[Expression]; 2], symbols: &[Symbol], rest: &Equilibrium) 
         }
         in_numbers(&rows, symbols, rest)
     };
-    let (above, below) = (values(sides[0])?, values(sides[1])?);
+    let [Some(above), Some(below)] = [values(sides[0])?, values(sides[1])?] else { return Ok(None) };
     let are_same = |(a, b): (&Vec<f64>, &Vec<f64>)| {
         let size = a.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         a.iter().zip(b).all(|(a, b)| (a - b).abs() <= (SAME * a.abs()).max(ROUNDING * size))
     };
-    Ok(above.iter().zip(&below).all(are_same))
+    Ok(Some(above.iter().zip(&below).all(are_same)))
 }
 
 /// The derivatives with respect to coordinates with opposite sign, and those with respect to velocities.
@@ -88,12 +89,12 @@ fn split<N: Clone>(slopes: &[Vec<N>], negative: impl Fn(&N) -> N) -> Linearisati
     Linearisation { stiffness, velocity: slopes.iter().map(|row| row[n..].to_vec()).collect() }
 }
 
-/// The values at the equilibrium, of which double precision leaves few digits next to a double zero of the accelerations.
+/// The values at the equilibrium if all are finite, of which double precision leaves few digits next to a double zero of the accelerations.
 fn in_numbers(
     rows: &[Vec<Expression>],
     symbols: &[Symbol],
     rest: &Equilibrium,
-) -> Result<Vec<Vec<f64>>, ModesError> {
+) -> Result<Option<Vec<Vec<f64>>>, ModesError> {
     let all: Vec<&Expression> = rows.iter().flatten().collect();
     let tape = Tape::new(&all, symbols)?;
     let values = match &rest.precise {
@@ -104,8 +105,7 @@ fn in_numbers(
         None => values(&Doubles, &tape, &rest.at),
     };
     let finite = values.filter(|values| values.iter().all(|x| x.is_finite()));
-    let values = finite.ok_or_else(|| ModesError::NotSmooth { at: rest.at.clone() })?;
-    Ok(values.chunks(rows[0].len()).map(<[f64]>::to_vec).collect())
+    Ok(finite.map(|values| values.chunks(rows[0].len()).map(<[f64]>::to_vec).collect()))
 }
 
 /// The results of a tape at rest in these positions.

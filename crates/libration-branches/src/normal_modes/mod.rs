@@ -38,7 +38,7 @@ mod resonance;
 mod shift;
 mod modes;
 
-pub use error::{ModesError, SearchEnd};
+pub use error::{ModesError, Position, SearchEnd};
 pub use mode::{Behaviour, Mode, Resonance, Shift};
 pub use modes::NormalModes;
 pub use no_shift::ShiftError;

@@ -41,5 +41,8 @@ pub use drive::{drive_frequency, drive_period};
 pub use lyapunov::{
     Doubt, LyapunovError, LyapunovExponent, LyapunovVerdict, Regularity, Schedule, lyapunov_exponent,
 };
-pub use section::{PoincareSection, Points, Section, SectionEnding, SectionError, compute_section, folded};
+pub use section::{
+    PoincareSection, Points, Section, SectionEnding, SectionError, SectionErrors, compute_section,
+    compute_section_with_errors, folded,
+};
 pub use structure::{Theorem, angles, turning_groups};

@@ -4,9 +4,16 @@
 //! farther from zero than its error, with opposite signs, before and after it; the error grows with the number of steps.
 
 use crate::taylor::program::linearised::{Linearised, ROUNDING};
-use crate::taylor::{AcceptedStep, Contact, Direction, Moment, Step, System};
+use crate::taylor::{AcceptedStep, Contact, Direction, Moment, MomentErrors, StateErrors, Step, System};
 use libration_numbers::expression::{Expression, Symbol, WithoutValue};
 use libration_numbers::internals::expression::Tape;
+
+/// A point of the motion on the surface.
+pub(super) struct SurfaceCrossing {
+    pub(super) moment: Moment,
+    /// Its errors; `None` if they were not requested or the motion is not determined.
+    pub(super) errors: Option<MomentErrors>,
+}
 
 /// A surface along a motion.
 pub(super) struct Surface {
@@ -21,7 +28,7 @@ pub(super) struct Surface {
     /// The largest magnitude of the formula on this side.
     farthest: f64,
     /// The last zero since then.
-    open: Option<Moment>,
+    open: Option<SurfaceCrossing>,
 }
 
 impl Surface {
@@ -40,13 +47,19 @@ impl Surface {
         Ok(Self { formula, direction, tolerance, steps: 0.0, side: 0.0, farthest: 0.0, open: None })
     }
 
-    /// The crossings that are established in a step.
-    pub(super) fn crossings_in(&mut self, accepted: &AcceptedStep<'_>) -> Vec<Moment> {
+    /// The crossings that are established in a step, with the errors of the motion up to its end.
+    pub(super) fn crossings_in(
+        &mut self,
+        accepted: &AcceptedStep<'_>,
+        mut errors: Option<&mut StateErrors>,
+    ) -> Vec<SurfaceCrossing> {
         let (step, mut from, mut crossings) = (accepted.step(), accepted.step().start(), vec![]);
         let goes_through = |contact| matches!(contact, Contact::Rising | Contact::Falling);
         for event in accepted.events().iter().filter(|event| goes_through(event.contact)) {
             crossings.extend(self.established_at(step, 0.5 * (from + event.time)));
-            self.open = Some(Moment { time: event.time, state: event.state.clone() });
+            let moment = Moment { time: event.time, state: event.state.clone() };
+            let errors = errors.as_mut().and_then(|errors| errors.of_event(accepted, event));
+            self.open = Some(SurfaceCrossing { moment, errors });
             from = event.time;
         }
         for time in [0.5 * (from + step.end()), step.end()] {
@@ -57,7 +70,7 @@ impl Surface {
     }
 
     /// The last zero, if the formula has the other sign since then and exceeds its error at this time.
-    fn established_at(&mut self, step: &Step<'_>, time: f64) -> Option<Moment> {
+    fn established_at(&mut self, step: &Step<'_>, time: f64) -> Option<SurfaceCrossing> {
         let inputs = [step.state_at(time), vec![time]].concat();
         self.formula.evaluate(&inputs);
         let value = self.formula.value(0);

@@ -15,7 +15,7 @@ use super::pi_combination::PiCombination;
 use super::unit::DEGREE;
 use super::{Angle, QuantityError};
 
-const HOW_TO_WRITE: &str = "write 60deg, 1.2rad, 1.2 (radians), pi-1e-6 or 180deg-1e-9deg";
+const HOW_TO_WRITE: &str = "write 60deg, 1.2rad, pi-1e-6 or 180deg-1e-9deg";
 const DECIMAL_COMMA: &str = "write the decimals with a point, as in 1.2rad";
 const SAY_THE_UNIT: &str = "write the unit of what is taken from degrees, as in 180deg-1e-9deg";
 const TOO_LARGE: &str = "give an angle of at most 2^53 rad";

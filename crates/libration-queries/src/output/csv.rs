@@ -14,6 +14,11 @@ pub fn line<S: AsRef<str>>(out: &mut dyn Write, fields: &[S]) -> io::Result<()> 
     out.write_all(b"\n")
 }
 
+/// The name of the error of a column.
+pub(crate) fn error_of(name: &str) -> String {
+    format!("{name}_error")
+}
+
 /// The cell of a number, which is empty where that is not finite.
 pub(crate) fn number(value: f64) -> String {
     if value.is_finite() { number::exact(value) } else { String::new() }

@@ -29,8 +29,8 @@ pub(in crate::taylor) struct Passing {
     pub(in crate::taylor) gradient: Vec<f64>,
     /// The derivative of the formula with respect to time along the motion.
     pub(in crate::taylor) rate: f64,
-    /// The magnitude of the formula there, which should be zero.
-    pub(in crate::taylor) rest: f64,
+    /// The value of the formula there, which should be zero.
+    pub(in crate::taylor) value: f64,
     /// The rounding error of the formula.
     pub(in crate::taylor) error: f64,
     /// Rates of change of the state components.
@@ -62,8 +62,8 @@ impl Crossing {
         /// Half a unit in the last place of each input, and as much for the formula.
         const MARGIN: f64 = 4.0;
         let is_zero = |formula: &mut Self| {
-            let Passing { rest, error, rate, .. } = formula.passing(at, sizes);
-            rest <= MARGIN * (error + ROUNDING * (rate * at.time).abs()) + (rate * apart).abs()
+            let Passing { value, error, rate, .. } = formula.passing(at, sizes);
+            value.abs() <= MARGIN * (error + ROUNDING * (rate * at.time).abs()) + (rate * apart).abs()
         };
         let last = formulas.len().checked_sub(1)?;
         Some(formulas[..last].iter_mut().position(is_zero).unwrap_or(last))
@@ -97,7 +97,7 @@ impl Crossing {
         let rate = by_time.iter().copied().chain(along).sum();
         let of_series: f64 = gradient.iter().zip(sizes).map(|(slope, size)| 2.0 * slope.abs() * size).sum();
         let error = self.formulas.error(0) + ROUNDING * of_series;
-        Passing { gradient: gradient.to_vec(), rate, rest: self.formulas.value(0).abs(), error, speeds }
+        Passing { gradient: gradient.to_vec(), rate, value: self.formulas.value(0), error, speeds }
     }
 }
 

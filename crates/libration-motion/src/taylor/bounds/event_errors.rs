@@ -104,8 +104,16 @@ impl StateErrors {
         let bend = (at(event.time + beside).rate - at(event.time - beside).rate) / (2.0 * beside);
         if event.contact == Contact::Grazing && !is_at_kink {
             there.error += self.beyond(accepted, event, &there, &sizes, &spread);
+            return Some(ZeroPassage::new(spread, there, bend, scale));
         }
-        Some(ZeroPassage::new(spread, there, bend, scale))
+        let mut passage = ZeroPassage::new(spread, there, bend, scale);
+        if !is_at_kink {
+            // An extrapolated series is used next to the step only: there its error is at most some ten times that at the end.
+            let [low, high] = [step.start().min(step.end()), step.start().max(step.end())];
+            let beyond = 0.125 * length.abs();
+            passage.enclose(|late| at((event.time + late).clamp(low - beyond, high + beyond)));
+        }
+        Some(passage)
     }
 
     /// The error of a rate of change at a contact where the formula itself is known not to be zero, from its distance to the nearest zeros.
@@ -122,8 +130,9 @@ impl StateErrors {
         let Some(formula) = self.crossings(accepted.stepper().expander.system, &of_value).last_mut() else {
             return 0.0;
         };
-        let Passing { gradient, rest, error, .. } =
+        let Passing { gradient, value, error, .. } =
             formula.passing(&Moment { time: event.time, state: event.state.clone() }, sizes);
+        let rest = value.abs();
         let is_zero = rest <= error + scale * spread.of_sum(&gradient);
         if is_zero { 0.0 } else { (2.0 * rest * rate.rate.abs()).sqrt() }
     }
@@ -143,8 +152,8 @@ impl StateErrors {
 
 impl ZeroPassage {
     fn new(spread: Spread, passing: Passing, bend: f64, scale: f64) -> Self {
-        let Passing { gradient, rate, rest, error, .. } = &passing;
-        let error = error + rest;
+        let Passing { gradient, rate, value, error, .. } = &passing;
+        let error = error + value.abs();
         let off = scale * spread.of_sum(gradient) + error;
         let is_bent = rate * rate <= 4.0 * bend.abs() * off;
         let late = match is_bent {
@@ -152,6 +161,26 @@ impl ZeroPassage {
             false => 2.0 * off / (rate.abs() + (rate * rate - 2.0 * bend.abs() * off).sqrt()),
         };
         Self { spread, passing, scale, error, late, is_bent }
+    }
+
+    /// Enlarges the error of the time until the formula exceeds its error, with opposite signs, this long before and after the event. At a
+    /// zero of multiplicity m the error begins with a step of Newton's method, an m-th of the distance. Two zeros within the error have the same
+    /// sign on both sides, and their error remains.
+    fn enclose(&mut self, mut at: impl FnMut(f64) -> Passing) {
+        /// At a simple zero the formula is as large as its error, to rounding.
+        const NEARLY: f64 = 0.9;
+        /// Up to zeros of order 32.
+        const FACTORS: [f64; 6] = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0];
+        let mut side = |late: f64| {
+            let Passing { value, gradient, error, .. } = at(late);
+            let is_known = value.abs() >= NEARLY * (error + self.scale * self.spread.of_sum(&gradient));
+            if is_known { value.signum() } else { 0.0 }
+        };
+        let encloses = |factor: &f64| side(-factor * self.late) * side(factor * self.late) < 0.0;
+        if let Some(factor) = FACTORS.into_iter().find(encloses).filter(|factor| *factor > 1.0) {
+            self.late *= factor;
+            self.is_bent = true;
+        }
     }
 
     /// The error of a quantity with these derivatives by the state, which changes at this rate along the motion.

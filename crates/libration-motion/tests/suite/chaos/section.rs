@@ -2,7 +2,8 @@
 
 use libration::chaos::{
     Continuation, DiagramColumn, Family, PoincareSection, Points, Section, SectionEnding,
-    compute_bifurcation_diagram, compute_section, drive_frequency, drive_period, folded,
+    compute_bifurcation_diagram, compute_section, compute_section_with_errors, drive_frequency, drive_period,
+    folded,
 };
 use libration::progress::{Quiet, Status};
 use libration::taylor::{Cause, Direction, Effort, Moment};
@@ -28,6 +29,19 @@ fn points_of(
     compute_section(&equation, &from(state), cut, points, &effort, &Quiet).unwrap()
 }
 
+fn section_with_errors(
+    equation: &str,
+    state: &[f64],
+    section: &Section,
+    skipped: usize,
+    recorded: usize,
+    tolerance: f64,
+) -> PoincareSection {
+    let (equation, effort) = (equation.parse().unwrap(), Effort::to_tolerance(tolerance));
+    let points = Points { skipped, recorded };
+    compute_section_with_errors(&equation, &from(state), section, points, &effort, &Quiet).unwrap()
+}
+
 fn diagram(
     equation: &str,
     values: &[f64],
@@ -39,6 +53,65 @@ fn diagram(
     let family = Family { equation: &equation, parameter: "A", section: &FLASH, points };
     let effort = Effort::to_tolerance(1e-12);
     compute_bifurcation_diagram(&family, values, &from(state), how, &effort, &Quiet).unwrap()
+}
+
+/// The points and errors against closed forms, at simple, triple and fivefold zeros of the formula and at the flashes of a drive.
+#[test]
+fn points_are_as_uncertain_as_their_errors_say() {
+    let cosine = |time: f64| [libm::cos(time), -libm::sin(time)];
+    let crossing = |n: u32| (1.5 + 2.0 * f64::from(n)) * PI;
+    for formula in ["x", "x^3", "x^5", "x*(1 + x'^2)", "x + 1e-3*x^2"] {
+        for tolerance in [1e-15, 1e-12, 1e-8] {
+            let surface = surface(formula, Direction::Rising);
+            let section = section_with_errors("x'' = -x", &[1.0, 0.0], &surface, 2, 6, tolerance);
+            let errors = section.errors.unwrap();
+            assert_eq!(errors.determined_until, None, "{formula}");
+            for ((n, point), error) in (2..).zip(&section.points).zip(&errors.of_points) {
+                assert!(
+                    (point.time - crossing(n)).abs() <= error.time,
+                    "{formula} {n}: {} {error:?}",
+                    point.time
+                );
+                for ((value, exact), error) in point.state.iter().zip([0.0, 1.0]).zip(&error.state) {
+                    assert!((value - exact).abs() <= *error, "{formula} {n}: {value} ± {error}");
+                }
+            }
+            assert_eq!(errors.of_points.len(), 6, "{formula}");
+        }
+    }
+    let flash = Section::Stroboscope { period: Some(2.5), phase: 0.4 };
+    for skipped in [0, 7] {
+        let section = section_with_errors("x'' = -x", &[1.0, 0.0], &flash, skipped, 40, 1e-12);
+        let errors = section.errors.unwrap().of_points;
+        assert_eq!(errors.len(), 40);
+        for (point, error) in section.points.iter().zip(&errors) {
+            for ((value, exact), error) in point.state.iter().zip(cosine(point.time)).zip(&error.state) {
+                assert!((value - exact).abs() <= *error && *error < 1e-10, "{value} {exact} ± {error}");
+            }
+        }
+    }
+}
+
+/// The same equation to 1e-15 and to 1e-9 differ by less than the errors of the second as long as it is determined; the rest has no errors.
+#[test]
+fn points_of_chaotic_motions_have_errors_as_long_as_they_are_determined() {
+    let (equation, start) = ("x'' = -x'/4 + x - x^3 + 0.4*cos(t)", [0.3, 0.1]);
+    for section in [FLASH, surface("x'", Direction::Any)] {
+        let [fine, coarse] =
+            [1e-16, 1e-9].map(|tolerance| section_with_errors(equation, &start, &section, 0, 200, tolerance));
+        let errors = coarse.errors.unwrap();
+        let until = errors.determined_until.unwrap();
+        let determined = coarse.points.iter().filter(|point| point.time <= until).count();
+        assert!(
+            (10..150).contains(&determined) && errors.of_points.len().abs_diff(determined) <= 1,
+            "{determined}"
+        );
+        for ((point, other), error) in coarse.points.iter().zip(&fine.points).zip(&errors.of_points) {
+            for ((value, other), error) in point.state.iter().zip(&other.state).zip(&error.state) {
+                assert!((value - other).abs() <= *error, "t = {}: {value} {other} ± {error}", point.time);
+            }
+        }
+    }
 }
 
 #[test]
@@ -207,7 +280,7 @@ fn a_level_that_is_only_touched_is_not_crossed() {
         let (equation, points) = ("x'' = -x".parse().unwrap(), Points { skipped: 0, recorded: 1 });
         let (surface, effort) = (surface(formula, Direction::Any), Effort::to_tolerance(tolerance));
         let found = compute_section(&equation, &from(&[1.0, 0.0]), &surface, points, &effort, &progress);
-        let PoincareSection { points, stopped } = found.unwrap();
+        let PoincareSection { points, stopped, .. } = found.unwrap();
         assert_eq!(points, [], "{formula}");
         assert_eq!(stopped, Some(SectionEnding::Stopped(Cause::Interrupted)), "{formula}");
     }

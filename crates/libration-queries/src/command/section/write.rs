@@ -6,6 +6,8 @@ use crate::output::field::{Field, Fields};
 use crate::output::json;
 use crate::output::table::{Column, Table, sheet};
 use crate::output::{Form, csv, number};
+use libration::taylor::MomentErrors;
+use serde_json::Value;
 use std::io::{self, Write};
 
 impl SectionResult<'_> {
@@ -18,15 +20,21 @@ impl SectionResult<'_> {
         }
     }
 
-    fn rows(&self) -> impl Iterator<Item = SectionRow> + '_ {
+    fn rows(&self) -> impl Iterator<Item = SectionRow<'_>> + '_ {
         let motions = (1..).zip(&self.sections);
-        motions.flat_map(|(number, section)| section.points.iter().map(move |point| (number, point))).map(
-            |(motion, point)| SectionRow {
+        motions.flat_map(move |(motion, section)| {
+            section.points.iter().enumerate().map(move |(index, point)| SectionRow {
                 motion,
                 time: point.time,
                 state: self.options.shown(&point.state, &self.angles),
-            },
-        )
+                errors: section.errors.as_ref().map(|errors| errors.of_points.get(index)),
+            })
+        })
+    }
+
+    /// Returns `true` if errors were estimated.
+    fn has_errors(&self) -> bool {
+        self.sections.iter().any(|section| section.errors.is_some())
     }
 
     fn is_complete(&self) -> bool {
@@ -41,28 +49,61 @@ impl SectionResult<'_> {
 
     fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
         let fields = of_row();
-        csv::line(out, &[fields.csv_names(), self.model.state_names()].concat())?;
+        let mut names = [fields.csv_names(), self.model.state_names()].concat();
+        if self.has_errors() {
+            names.push(TIME_ERROR.0.to_owned());
+            names.extend(self.model.state_names().iter().map(|name| csv::error_of(name)));
+        }
+        csv::line(out, &names)?;
         for row in self.rows() {
-            let state = row.state.iter().map(|&value| csv::number(value));
-            csv::line(out, &fields.csv_cells(&row).into_iter().chain(state).collect::<Vec<_>>())?;
+            let errors = row
+                .errors()
+                .into_iter()
+                .flat_map(|MomentErrors { time, state, .. }| [vec![time], state].concat());
+            let numbers = row.state.iter().copied().chain(errors).map(csv::number);
+            csv::line(out, &fields.csv_cells(&row).into_iter().chain(numbers).collect::<Vec<_>>())?;
         }
         Ok(())
     }
 
     fn write_table(&self, out: &mut dyn Write, listed: bool) -> io::Result<()> {
-        sheet(out, &of_answer().lines(self))?;
+        let mut lines = of_answer().lines(self);
+        lines.extend(self.determined_text().map(|text| ("determined", text)));
+        sheet(out, &lines)?;
         if !listed {
             return Ok(());
         }
         writeln!(out)?;
         let fields = of_row();
-        let state = self.model.state_names().into_iter().map(Column::numbers);
-        let mut table = Table::new(fields.columns().into_iter().chain(state).collect());
+        let numbers = ["time".to_owned()].into_iter().chain(self.model.state_names()).map(Column::numbers);
+        let mut table = Table::new(fields.columns().into_iter().chain(numbers).collect());
         for row in self.rows() {
-            let state = row.state.iter().map(|&value| number::rounded(value, 10));
-            table.row(out, fields.cells(&row).into_iter().chain(state).collect())?;
+            let errors = row.errors.flatten();
+            let cell =
+                |value: f64, error: Option<f64>| number::to_its_error(value, error.unwrap_or(0.0), DIGITS);
+            let state = row.state.iter().enumerate();
+            let state = state.map(|(i, &value)| cell(value, errors.map(|errors| errors.state[i])));
+            let time = cell(row.time, errors.map(|errors| errors.time));
+            table.row(out, fields.cells(&row).into_iter().chain([time]).chain(state).collect())?;
         }
         table.finish(out)
+    }
+
+    /// The time until which each motion is determined, if it is not determined throughout.
+    fn determined_text(&self) -> Option<String> {
+        let until = (1usize..).zip(&self.sections).filter_map(|(motion, section)| {
+            let until = number::rounded(section.errors.as_ref()?.determined_until?, 6);
+            Some(match self.sections.len() {
+                1 => format!("t = {until} s"),
+                _ => format!("t = {until} s (motion {motion})"),
+            })
+        });
+        let until = until.collect::<Vec<_>>().join(", ");
+        (!until.is_empty()).then(|| {
+            format!(
+                "in double precision until {until}; later points are those of a nearby motion, without errors"
+            )
+        })
     }
 
     fn points_text(&self) -> String {
@@ -72,10 +113,21 @@ impl SectionResult<'_> {
 }
 
 /// A point of the section.
-struct SectionRow {
+struct SectionRow<'a> {
     motion: usize,
     time: f64,
     state: Vec<f64>,
+    /// The errors, if errors were estimated and the motion is determined.
+    errors: Option<Option<&'a MomentErrors>>,
+}
+
+impl SectionRow<'_> {
+    /// The errors of time and state, NaN where the motion is not determined; `None` if they were not estimated.
+    fn errors(&self) -> Option<MomentErrors> {
+        let unknown =
+            || MomentErrors { time: f64::NAN, state: vec![f64::NAN; self.state.len()], formulas: vec![] };
+        self.errors.map(|errors| errors.cloned().unwrap_or_else(unknown))
+    }
 }
 
 fn of_answer<'a>() -> Fields<SectionResult<'a>> {
@@ -105,27 +157,52 @@ fn of_answer<'a>() -> Fields<SectionResult<'a>> {
             "state at the start of each motion, in the order of the names",
             |result| json::list(result.starts.clone()),
         ),
+        Of::value(
+            "determined_until_s[]",
+            "s",
+            "time of the last state of each motion that is determined in double precision, null where all are, or where no errors are estimated; \
+             later points are those of a nearby motion",
+            |result| {
+                let until = result.sections.iter().map(|section| section.errors.as_ref()?.determined_until);
+                json::list(until.map(|until| until.map_or(Value::Null, json::number)))
+            },
+        ),
         Of::value("complete", "", "true if all requested points are present", |result| {
             result.is_complete().into()
         }),
     ])
 }
 
-fn of_row() -> Fields<SectionRow> {
-    type Of = Field<SectionRow>;
+fn of_row<'a>() -> Fields<SectionRow<'a>> {
+    type Of<'a> = Field<SectionRow<'a>>;
     Fields::from([
         Of::value("motion", "1", "number of the motion, from 1 in the order of --initial", |row| {
             row.motion.into()
         })
         .numeral("motion", |row| row.motion.to_string()),
-        Of::number("time_s", "s", "time of the point", |row| row.time).rounded("time", 10),
+        Of::number("time_s", "s", "time of the point", |row| row.time),
         Of::value("state[]", "", "state there, in the order of the names", |row| json::numbers(&row.state)),
+        Of::present_value("time_error_s", "s", OF_ERRORS, |row| Some(json::number(row.errors()?.time))),
+        Of::present_value("error[]", "", OF_ERRORS, |row| Some(json::numbers(&row.errors()?.state))),
     ])
 }
+
+const OF_ERRORS: &str =
+    "estimate of the error, null where the motion is not determined; left out with --no-errors";
+
+/// The errors in CSV.
+const TIME_ERROR: description::DescriptionRow = (
+    "time_error_s",
+    "s",
+    "estimate of the error of the time, empty where the motion is not determined; left out with --no-errors",
+);
+const ERROR: description::DescriptionRow = ("NAME_error", "", "that of the column of this name");
+/// Number of digits of values in the table.
+const DIGITS: usize = 10;
 
 pub(crate) fn answers() -> Vec<Answers> {
     const NUMBER: description::DescriptionRow = ("NAME", "", "state variable of this name");
     let json = [of_answer().described(""), of_row().described("points[].")];
-    let csv = [of_row().described_in_csv(), descriptions("", &[NUMBER])];
+    let csv = [of_row().described_in_csv(), descriptions("", &[NUMBER, TIME_ERROR, ERROR])];
     vec![Answers { command: "section", option: "", json: json.concat(), csv: csv.concat() }]
 }

@@ -4,7 +4,6 @@ use super::events::Happening;
 use super::fields;
 use super::motion::SimulatedMotion;
 use super::report::{AnswerWriter, Sample, Summary};
-use super::resume::error_of;
 use crate::output::csv;
 use crate::output::field::Fields;
 use libration::taylor::MomentErrors;
@@ -55,7 +54,7 @@ impl AnswerWriter for Csv {
         if self.with_errors {
             names.extend(self.with_events.then(|| fields::TIME_ERROR.0.to_owned()));
             let of_errors = [motion.model.state_names(), motion.column_names()].concat();
-            names.extend(of_errors.iter().map(|name| error_of(name)));
+            names.extend(of_errors.iter().map(|name| csv::error_of(name)));
         }
         names.extend(self.with_events.then(|| fields::EVENT.0.to_owned()));
         csv::line(out, &names)

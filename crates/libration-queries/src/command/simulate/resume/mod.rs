@@ -27,7 +27,6 @@ use state::check_schema;
 pub(super) use state::{Keeper, State};
 
 use rows::Rows;
-pub(super) use rows::error_of;
 
 /// The most bytes of an earlier JSON result: memory ends before. CSV files are read line by line.
 const LARGEST: usize = 1 << 30;

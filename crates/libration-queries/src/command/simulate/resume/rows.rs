@@ -94,11 +94,6 @@ impl Rows {
     }
 }
 
-/// The name of the error of a column.
-pub(crate) fn error_of(name: &str) -> String {
-    format!("{name}_error")
-}
-
 fn of_record(value: &Value) -> Option<Happening> {
     let state = value["state"].as_array()?.iter().map(Value::as_f64).collect::<Option<_>>()?;
     let kind = value["kind"].as_str().unwrap_or_default().to_owned();
@@ -125,7 +120,7 @@ impl Cells {
         let columns = rest.checked_sub(numbers)? / 2;
         let (values, behind) = names.get(1..)?.split_at_checked(numbers + columns)?;
         let errors = behind.get(with_time_errors..)?;
-        let fits = errors.iter().zip(values).filter(|(error, name)| **error == error_of(name)).count();
+        let fits = errors.iter().zip(values).filter(|(error, name)| **error == csv::error_of(name)).count();
         (fits == values.len()).then_some(Self { contents, columns })
     }
 
