@@ -190,9 +190,7 @@ pub(super) fn of_model() -> Fields<ResponseFit> {
 const CUBIC: &str = "κ of the acceleration −κ·x³, in 1/s² over the amplitude's unit squared, or null";
 
 fn covariance(fit: &ResponseFit) -> Value {
-    json::list(
-        fit.covariance.iter().map(|row| json::list(row.iter().map(|&covariance| json::number(covariance)))),
-    )
+    json::list(fit.covariance.iter().map(|row| json::list(row.iter().map(|&entry| json::number(entry)))))
 }
 
 fn not_free() -> String {
