@@ -186,7 +186,7 @@ fn terms(force: &WeakForce, equilibrium: &Rational, highest: usize) -> Option<Ve
             let series = at_zero.simplified().taylor_series(&Rationals, &x, equilibrium, length)?;
             let scale = Rational::from(-factorial(velocity) * factorial(parameter));
             for (position, coefficient) in
-                series.into_iter().enumerate().filter(|(_, coefficient)| !coefficient.is_zero())
+                series.into_iter().enumerate().filter(|(_, value)| !value.is_zero())
             {
                 let factor = coefficient.checked_div(&scale)?;
                 let [velocity, parameter] =

@@ -86,7 +86,7 @@ pub(super) fn pendulum(
         let value = flow.growth.get(&(k, 1)).cloned().unwrap_or_default().times_power_of_pi(1);
         value
             .to_rational()
-            .and_then(|fraction| fraction.checked_div(&per_unit))
+            .and_then(|ratio| ratio.checked_div(&per_unit))
             .unwrap_or_else(|| Rational::from(0))
     };
     let length = question.order + 1 - question.flow.lift;

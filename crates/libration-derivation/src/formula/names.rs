@@ -30,10 +30,9 @@ impl Formula {
     pub(crate) fn parts(&self) -> Vec<&Self> {
         match self {
             Self::Number(_) | Self::Decimal(_) | Self::Pi | Self::Name(_) => vec![],
-            Self::Negate(argument)
-            | Self::Call(_, argument)
-            | Self::DoubleFactorial(argument)
-            | Self::Order(argument) => vec![argument],
+            Self::Negate(part) | Self::Call(_, part) | Self::DoubleFactorial(part) | Self::Order(part) => {
+                vec![part]
+            }
             Self::Sum(parts) | Self::Product(parts) | Self::Apply(_, parts) => parts.iter().collect(),
             Self::Fraction(a, b) | Self::Power(a, b) | Self::Agm(a, b) => vec![a, b],
             Self::Series { from, to, term, .. } => {
