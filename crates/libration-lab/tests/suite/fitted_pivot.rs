@@ -229,15 +229,11 @@ fn dry_friction_by_the_falling_amplitude_is_as_uncertain_as_the_pivot_leaves_it(
     };
     let coefficients: Vec<Coefficient> =
         (0..30).map(|_| coefficient(&about_a_drawn_pivot(&swing, &mut random))).collect();
-    let pulls: Vec<f64> = coefficients
-        .iter()
-        .map(|dry_friction| (dry_friction.estimate.value - dry) / dry_friction.estimate.uncertainty)
-        .collect();
+    let pulls: Vec<f64> =
+        coefficients.iter().map(|draw| (draw.estimate.value - dry) / draw.estimate.uncertainty).collect();
     assert!(are_pulls(&pulls), "{pulls:?}");
     assert!(
-        coefficients
-            .iter()
-            .all(|dry_friction| (0.9..1.3).contains(&(dry_friction.estimate.uncertainty / (0.005 * dry)))),
+        coefficients.iter().all(|draw| (0.9..1.3).contains(&(draw.estimate.uncertainty / (0.005 * dry)))),
         "{:?}",
         coefficients[0]
     );

@@ -69,10 +69,8 @@ impl Centre {
     fn middles(&self, extremes: &[Option<Extreme>], weights: &[f64]) -> Vec<(f64, f64)> {
         let middle = |window: &[Option<Extreme>]| {
             let complete: Vec<Extreme> = window.iter().copied().collect::<Option<_>>()?;
-            let weighted = complete
-                .iter()
-                .zip(weights)
-                .map(|(extreme, weight)| weight * (extreme.value + self.at(extreme.time)));
+            let weighted =
+                complete.iter().zip(weights).map(|(turn, weight)| weight * (turn.value + self.at(turn.time)));
             Some((complete[weights.len() / 2].time, weighted.sum()))
         };
         extremes.windows(weights.len()).filter_map(middle).collect()

@@ -175,8 +175,7 @@ fn at_minimum(table: &LengthTable, model: LengthModel, offset: f64, ratio: f64) 
     for _ in 0..MOST_ROUNDS {
         let deviations = deviations(table, &parameters, ratio);
         let least =
-            minimum(parameters.clone(), EFFORT, |coefficients| linearised(table, coefficients, &deviations))
-                .ok()?;
+            minimum(parameters.clone(), EFFORT, |trial| linearised(table, trial, &deviations)).ok()?;
         if !least.parameters.iter().take(2).all(|&parameter| parameter > 0.0) {
             return None;
         }

@@ -76,9 +76,7 @@ fn kind(channel: &Channel, has_times: bool) -> Kind {
         () if heading.unit.is_none() && is_number_of_row(heading, channel, name) => Kind::Other,
         () if heading.unit.is_none() && is_number_of_readings(channel, name) => Kind::NumbersOfReadings,
         () if heading.unit.is_none() && is_of_swings(channel, has_times) => Kind::Swings,
-        () if GROUP.contains(&name) || FUNCTIONS.iter().any(|function| name.starts_with(function)) => {
-            Kind::Other
-        }
+        () if GROUP.contains(&name) || FUNCTIONS.iter().any(|word| name.starts_with(word)) => Kind::Other,
         () if is_other_power(heading) => Kind::Other,
         () if is_mean(&heading.text) => Kind::Means,
         () => Kind::Values,
