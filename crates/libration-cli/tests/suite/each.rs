@@ -32,8 +32,8 @@ fn are_those_of_single_runs(name: &str, question: &[&str], names: &str, rows: &[
     for (number, [set, initial]) in (1..).zip(rows) {
         let values: Vec<&str> = [*set, *initial]
             .into_iter()
-            .filter(|values| !values.is_empty())
-            .flat_map(|values| values.split(','))
+            .filter(|list| !list.is_empty())
+            .flat_map(|list| list.split(','))
             .collect();
         text += &(values.iter().map(|value| value.split_once('=').unwrap().1).collect::<Vec<_>>().join(",")
             + "\n");

@@ -68,25 +68,18 @@ fn a_file_that_is_cut_short_anywhere_comes_out_whole() {
     begin("30", &whole);
     begin("20", &part);
     let bytes = fs::read(&part).unwrap();
-    let covered = usize::try_from(state(&part)["known"]["bytes"].as_u64().unwrap()).unwrap();
-    assert!(covered < bytes.len() && covered > bytes.len() / 2, "{covered} of {}", bytes.len());
+    let saved = usize::try_from(state(&part)["known"]["bytes"].as_u64().unwrap()).unwrap();
+    assert!(saved < bytes.len() && saved > bytes.len() / 2, "{saved} of {}", bytes.len());
     // Cut at the end of a line, one byte next to it, within a number, and before the first complete line.
-    for length in [
-        bytes.len(),
-        bytes.len() - 1,
-        bytes.len() - 7,
-        covered + 20,
-        covered + 1,
-        covered,
-        covered - 1,
-        covered / 2,
-    ] {
+    for length in
+        [bytes.len(), bytes.len() - 1, bytes.len() - 7, saved + 20, saved + 1, saved, saved - 1, saved / 2]
+    {
         fs::write(&cut, &bytes[..length]).unwrap();
         fs::copy(state_of(&part), state_of(&cut)).unwrap();
         let file = cut.display();
         let output =
             libration(&format!("simulate {question} --times 0:30:0.05 --resume {file} --output {file}"));
-        if length >= covered {
+        if length >= saved {
             assert!(output.status.success(), "{length}: {}", message(&output));
             assert!(fs::read(&cut).unwrap() == fs::read(&whole).unwrap(), "{length}");
         } else {
@@ -97,7 +90,7 @@ fn a_file_that_is_cut_short_anywhere_comes_out_whole() {
     }
     let mut changed = bytes.clone();
     // A changed digit in a number, which only the checksum can detect.
-    let digit = (covered / 2..).find(|&index| changed[index].is_ascii_digit()).unwrap();
+    let digit = (saved / 2..).find(|&index| changed[index].is_ascii_digit()).unwrap();
     changed[digit] = if changed[digit] == b'1' { b'2' } else { b'1' };
     fs::write(&cut, &changed).unwrap();
     fs::copy(state_of(&part), state_of(&cut)).unwrap();

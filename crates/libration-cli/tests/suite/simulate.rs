@@ -189,17 +189,14 @@ fn event_rows_stand_among_the_samples_in_the_order_of_time() {
 #[test]
 fn the_end_of_a_formula_is_named_with_place_and_time() {
     // As in the library, by mpmath.
-    for (equation, start, position, time) in [
+    for (equation, start, point, time) in [
         ("x'' = -exp(-1/x)", "x=1", "x = ", "t = 2.66631248"),
         ("x'' = -1 + atan(1/x)/10", "x=1", "x = ", "t = 1."),
     ] {
         let output = run(&["simulate", equation, "--initial", start, "--times", "0:2.8:0.4", "--json"]);
         assert_eq!(output.status.code(), Some(1), "{equation}");
         let message = message(&output);
-        assert!(
-            message.contains(position) && message.contains(time) && message.contains("x' = -"),
-            "{message}"
-        );
+        assert!(message.contains(point) && message.contains(time) && message.contains("x' = -"), "{message}");
         let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
         let samples = answer["samples"].as_array().unwrap();
         assert!(samples.iter().all(|sample| sample["state"][0].as_f64().unwrap() >= 0.0), "{answer}");
