@@ -430,8 +430,8 @@ fn a_table_is_corrected_row_by_row() {
     }
     // With the rod, which ends at the surface of the bob in the correction and at its centre in the periods.
     let with_rod = LengthsOptions { corrections: every_correction(0.1), ..LengthsOptions::default() };
-    let rodded = fit_lengths(&table(&given, &periods, Some(&sigma)), &with_rod).unwrap();
-    assert!((rodded.best().g.value / G - 1.0).abs() < 2e-3, "{:?}", rodded.best());
+    let corrected = fit_lengths(&table(&given, &periods, Some(&sigma)), &with_rod).unwrap();
+    assert!((corrected.best().g.value / G - 1.0).abs() < 2e-3, "{:?}", corrected.best());
 }
 
 /// The same pendulum without a rod.
