@@ -49,7 +49,7 @@ pub(crate) fn format_by_extension(matches: &ArgMatches) -> Option<(usize, OsStri
     let (given, depth) = innermost(matches);
     let is_given = |name: &str| matches!(given.try_get_one::<bool>(name), Ok(Some(true)));
     let exists = matches!(given.try_get_one::<bool>(extension), Ok(Some(_)));
-    let is_open = exists && FORMATS.contains(&extension) && !FORMATS.iter().any(|it| is_given(it));
+    let is_open = exists && FORMATS.contains(&extension) && !FORMATS.iter().any(|format| is_given(format));
     is_open.then(|| (depth, OsString::from(format!("--{extension}"))))
 }
 

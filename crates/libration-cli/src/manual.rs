@@ -28,7 +28,8 @@ impl Manual {
 }
 
 fn unknown(words: &[String], outer: &Command) -> QueryError {
-    let names: Vec<_> = outer.get_subcommands().map(Command::get_name).filter(|it| *it != "help").collect();
+    let names: Vec<_> =
+        outer.get_subcommands().map(Command::get_name).filter(|name| *name != "help").collect();
     let available = if names.is_empty() { String::new() } else { format!(": {}", names.join(", ")) };
     QueryError::misuse(format!(
         "there is no command `{}`; {} has these{available}",

@@ -20,7 +20,7 @@ pub fn program(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     if words
         .iter()
         .filter_map(|word| word.to_str())
-        .any(|it| it.starts_with("-o") || it.starts_with("--output"))
+        .any(|argument| argument.starts_with("-o") || argument.starts_with("--output"))
     {
         // What is noted about these words is noted when they are read again.
         let read = Reading::new(words.clone(), true, &mut command);

@@ -144,7 +144,7 @@ impl<E: Clone> Values<E> {
             Formula::Number(value) => Some(value.clone()),
             Formula::Decimal(value) => value.value(),
             Formula::Name(name) => self.indices.get(&self.key(name)).map(|&index| Rational::from(index)),
-            Formula::Negate(it) => Some(-self.constant(it)?),
+            Formula::Negate(operand) => Some(-self.constant(operand)?),
             Formula::Sum(terms) => {
                 terms.iter().try_fold(Rational::from(0), |sum, term| Some(sum + self.constant(term)?))
             }
@@ -181,7 +181,7 @@ pub fn evaluate<R: Analysis>(
         }
         Formula::Pi => ring.pi().ok_or(EvaluationError::NotInRing("π")),
         Formula::Name(name) => of_name(name, ring, values),
-        Formula::Negate(it) => Ok(ring.negate(&of(it)?)),
+        Formula::Negate(operand) => Ok(ring.negate(&of(operand)?)),
         Formula::Sum(terms) => terms.iter().try_fold(ring.zero(), |sum, term| Ok(ring.add(&sum, &of(term)?))),
         Formula::Product(factors) => {
             let one = rational(&Rational::from(1))?;
@@ -205,12 +205,12 @@ pub fn evaluate<R: Analysis>(
             })
         }
         Formula::Derivative { of, by } => derivative(of, by, ring, values),
-        Formula::DoubleFactorial(it) => {
+        Formula::DoubleFactorial(argument) => {
             let last =
-                values.integer(it).ok_or(EvaluationError::NotInRing("!! of what is not an integer"))?;
+                values.integer(argument).ok_or(EvaluationError::NotInRing("!! of what is not an integer"))?;
             rational(&double_factorial(last))
         }
-        Formula::Order(it) => ring.left_out(&of(it)?),
+        Formula::Order(argument) => ring.left_out(&of(argument)?),
     }
 }
 

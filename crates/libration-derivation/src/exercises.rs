@@ -26,8 +26,9 @@ impl Derivation {
         );
         let results: Vec<Formula> = self.steps.iter().flat_map(|step| results_of(&step.blocks)).collect();
         let answers =
-            self.steps.iter().map(|step| with_blocks(step, |it| answers_of(it, &results))).collect();
-        let steps = self.steps.iter().map(|step| with_blocks(step, |it| exercise_of(it, &results))).collect();
+            self.steps.iter().map(|step| with_blocks(step, |block| answers_of(block, &results))).collect();
+        let steps =
+            self.steps.iter().map(|step| with_blocks(step, |block| exercise_of(block, &results))).collect();
         Self {
             title: format!("{}: exercises", self.title),
             introduction: vec![Block::Paragraph(how)],

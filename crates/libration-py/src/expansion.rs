@@ -221,7 +221,8 @@ impl Found {
 fn of_symbolic(fields: &Bound<'_, PyDict>, expansion: &SymbolicExpansion) -> PyResult<()> {
     of_expansion(fields, &expansion.series)?;
     let value = |expression: &Expression| expression.to_f64().unwrap_or(f64::NAN);
-    let constants = expansion.constants.iter().map(|(name, it)| (name, it.to_string(), value(it)));
+    let constants =
+        expansion.constants.iter().map(|(name, constant)| (name, constant.to_string(), value(constant)));
     fields.set_item("constants", constants.collect::<Vec<_>>())
 }
 

@@ -24,10 +24,20 @@ impl NativeFormula {
 
     /// Key, name, authors, year, source, LaTeX, domain, rank of the effort, and the amplitude at which the formula ends.
     fn words(&self) -> (&str, &str, &str, Option<u16>, &str, &str, &str, u32, f64) {
-        let it = &self.0;
-        let rank = it.complexity().rank();
-        let (authors, source) = (it.authors(), it.source());
-        (it.key(), it.name(), authors, it.year(), source, it.latex(), it.domain(), rank, it.defined_below())
+        let law = &self.0;
+        let rank = law.complexity().rank();
+        let (authors, source) = (law.authors(), law.source());
+        (
+            law.key(),
+            law.name(),
+            authors,
+            law.year(),
+            source,
+            law.latex(),
+            law.domain(),
+            rank,
+            law.defined_below(),
+        )
     }
 
     fn ratio(&self, py: Python<'_>, amplitude: Given) -> PyResult<f64> {
@@ -88,6 +98,6 @@ pub(crate) fn simplest_formulas(py: Python<'_>, amplitude: Given, tolerance: f64
     let amplitude = self::amplitude(py, "amplitude", &amplitude)?;
     Ok(py.detach(|| {
         let table = TABLE.get_or_init(|| ErrorTable::new(catalogue(), &Quiet).expect("nothing cancels it"));
-        table.simplest(&amplitude, tolerance).iter().map(|it| it.key().to_owned()).collect()
+        table.simplest(&amplitude, tolerance).iter().map(|formula| formula.key().to_owned()).collect()
     }))
 }

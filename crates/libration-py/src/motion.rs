@@ -63,7 +63,7 @@ impl NativeMotion {
     /// The amplitude and its complement.
     #[getter]
     fn amplitude(&self) -> Option<(f64, f64)> {
-        self.0.amplitude().map(|it| (it.radians(), it.complement()))
+        self.0.amplitude().map(|amplitude| (amplitude.radians(), amplitude.complement()))
     }
 
     /// e and e − 1.

@@ -101,7 +101,7 @@ impl Asked {
         let model = model(system, values)?;
         let borrowed: Vec<(&str, &str)> = initial.iter().map(|(name, value)| (&**name, &**value)).collect();
         let start = model.initial(&borrowed).map_err(refusal::<SimulationError>)?;
-        let all = events.iter().map(|event| (event, None)).chain(until.iter().map(|it| (it, Some(1))));
+        let all = events.iter().map(|event| (event, None)).chain(until.iter().map(|event| (event, Some(1))));
         let events = all.map(|((text, way), ends_at)| {
             let formula = model.zero_of(text).map_err(refusal::<SimulationError>)?;
             Ok(Event { formula, direction: direction(way)?, ends_at })
@@ -265,7 +265,7 @@ impl NativeSimulation {
     fn errors<'py>(&self, py: Python<'py>) -> PyResult<Option<KnownErrors<'py>>> {
         let Some(Errors { samples, events, determined_until }) = &self.errors else { return Ok(None) };
         let states = |all: &[MomentErrors]| {
-            let numbers = all.iter().flat_map(|it| it.state.iter().copied()).collect();
+            let numbers = all.iter().flat_map(|moment| moment.state.iter().copied()).collect();
             self.rows(py, numbers, all.len())
         };
         let times: Vec<f64> = events.iter().map(|event| event.time).collect();

@@ -86,14 +86,15 @@ fn refusal(documentation: &str, argument: usize, input: &Input<'_>) -> PyErr {
     let name = names.nth(argument).unwrap_or("argument");
     PyTypeError::new_err(if is_text(input) {
         let text = first(input)
-            .and_then(|it| it.call_method0("item")?.repr())
-            .map_or("text".into(), |it| it.to_string());
+            .and_then(|array| array.call_method0("item")?.repr())
+            .map_or("text".into(), |text| text.to_string());
         format!(
             "{name}: got {text}: give a number or an array of numbers, in SI units and radians: numpy.radians(60) for 60deg"
         )
     } else {
-        let kind =
-            first(input).and_then(|it| it.get_type().name()).map_or("objects".into(), |it| it.to_string());
+        let kind = first(input)
+            .and_then(|object| object.get_type().name())
+            .map_or("objects".into(), |kind| kind.to_string());
         format!(
             "{name}: got {kind}: give a float or an array of floats, such as numpy.asarray(values, dtype=float)"
         )

@@ -63,7 +63,7 @@ pub enum ParameterKind {
 pub fn questions() -> Vec<Question> {
     let mut command = command([]);
     command.build();
-    leaves(&command, "", |it| !it.is_hide_set())
+    leaves(&command, "", |command| !command.is_hide_set())
 }
 
 /// The name of the argument whose value has this name in the help, in the query of a command line.
@@ -74,7 +74,7 @@ pub(crate) fn argument_name(words: &[OsString], value: &str) -> Option<String> {
     command.build();
     let asked =
         leaves(&command, "", |_| true).into_iter().filter(|leaf| leaf.words == one || leaf.words == two);
-    let question = asked.max_by_key(|it| it.words.len())?;
+    let question = asked.max_by_key(|leaf| leaf.words.len())?;
     let is_it = |description: &ParameterDescription| {
         description.kind == ParameterKind::Argument && description.value == value
     };
@@ -86,10 +86,10 @@ fn leaves(command: &Command, words: &str, is_shown: fn(&Command) -> bool) -> Vec
     let below = command
         .get_subcommands()
         .filter(|subcommand| subcommand.get_name() != "help" && is_shown(subcommand));
-    let each = below.flat_map(|it| {
-        let words = format!("{words} {}", it.get_name()).trim_start().to_owned();
-        let itself = (!it.is_subcommand_required_set()).then(|| question(it, words.clone()));
-        itself.into_iter().chain(leaves(it, &words, is_shown)).collect::<Vec<_>>()
+    let each = below.flat_map(|subcommand| {
+        let words = format!("{words} {}", subcommand.get_name()).trim_start().to_owned();
+        let itself = (!subcommand.is_subcommand_required_set()).then(|| question(subcommand, words.clone()));
+        itself.into_iter().chain(leaves(subcommand, &words, is_shown)).collect::<Vec<_>>()
     });
     each.collect()
 }

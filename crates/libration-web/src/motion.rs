@@ -129,9 +129,9 @@ pub extern "C" fn states(first: f64, step: f64, count: u32) -> bool {
 /// The angles of an approximate motion, by its index in the catalogue, at `count` times, `step` apart; only after a release at rest.
 #[expect(unsafe_code, reason = "a name for the page")]
 #[unsafe(no_mangle)]
-pub extern "C" fn approximation(place: usize, first: f64, step: f64, count: u32) -> bool {
+pub extern "C" fn approximation(index: usize, first: f64, step: f64, count: u32) -> bool {
     answer(|shown| {
-        let approximate = ApproximateMotion::CATALOGUE.get(place).ok_or("no such approximate motion")?;
+        let approximate = ApproximateMotion::CATALOGUE.get(index).ok_or("no such approximate motion")?;
         let amplitude = shown.amplitude.clone()?;
         let frequency = shown.pendulum.angular_frequency();
         Ok(times(first, step, count)

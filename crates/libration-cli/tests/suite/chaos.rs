@@ -45,7 +45,7 @@ fn several_motions_cross_a_plane() {
     let mut lines = csv.lines();
     assert_eq!(lines.next(), Some("motion,time_s,x,y,x',y'"));
     let rows: Vec<Vec<f64>> =
-        lines.map(|line| line.split(',').map(|it| it.parse().unwrap()).collect()).collect();
+        lines.map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect()).collect();
     assert_eq!(rows.iter().filter(|row| row[0] > 1.5).count(), 20);
     assert!(rows.iter().all(|row| row[2].abs() < 1e-12 && row[4] > 0.0));
     let svg = std::fs::read_to_string(figure).unwrap();
@@ -70,7 +70,8 @@ fn sweeps_show_hysteresis_and_single_values_are_the_same_bits() {
     for value in ["0.5", "1.3", "1.5"] {
         let over = format!("A={value}");
         let one = ask(&[&arguments[..], &["--over", &over, "--points", "3", "--skip", "9"]].concat());
-        let same: Vec<&Value> = all.iter().filter(|it| it["value"] == one["points"][0]["value"]).collect();
+        let same: Vec<&Value> =
+            all.iter().filter(|point| point["value"] == one["points"][0]["value"]).collect();
         assert_eq!(same, one["points"].as_array().unwrap().iter().collect::<Vec<_>>(), "{value}");
     }
 }

@@ -124,7 +124,7 @@ fn an_angular_frequency_in_inverse_seconds_is_in_radians_per_second() {
     };
     let table = |factor: f64| -> String {
         let of = |number: i32| 0.3 + 0.025 * f64::from(number);
-        (0..21).map(|it| format!("{:.4},{:.3}\n", factor * of(it), response(of(it)))).collect()
+        (0..21).map(|row| format!("{:.4},{:.3}\n", factor * of(row), response(of(row)))).collect()
     };
     for (name, heading, factor) in [
         ("omega", "ω (1/s)", TAU),
@@ -313,8 +313,10 @@ fn mixed_decimal_marks_and_formulas_are_named() {
     );
     let said = refused("some", format!("L (cm);T (s)\n{}", marks(&|length| length < 0.7)));
     assert!(said.contains("lines 6, 7: `1.805` has a point"), "{said}");
-    let said =
-        refused("column", format!("L (m);T (s)\n{}", rows(|it| format!("{it:.2};{}", comma(period(it), 3)))));
+    let said = refused(
+        "column",
+        format!("L (m);T (s)\n{}", rows(|length| format!("{length:.2};{}", comma(period(length), 3)))),
+    );
     assert!(said.contains("numbers of other columns have another decimal mark"), "{said}");
     let formulas = rows(|length| format!("{:.0};={:.2}/10", 100.0 * length, 10.0 * period(length)));
     let said = refused("formulas", format!("L (cm);T (s)\n{formulas}"));
@@ -369,7 +371,7 @@ fn rows_are_chosen_by_a_range_and_by_runs() {
 #[test]
 fn half_swings_are_halves_and_periods_of_drives_frequencies() {
     let amplitudes: String = (0..11)
-        .map(|it| 4.0 * f64::from(it))
+        .map(|row| 4.0 * f64::from(row))
         .map(|number| format!("{number};{}\n", comma(10.0 * (-number * TAU / 4.0 / 80.0).exp(), 3)))
         .collect();
     for (name, heading) in
@@ -386,7 +388,7 @@ fn half_swings_are_halves_and_periods_of_drives_frequencies() {
     let of = |number: i32| 0.3 + 0.025 * f64::from(number);
     for (heading, swings) in [("T drive (s)", 1.0), ("Erregerperiode in s", 1.0), ("10 T (s)", 10.0)] {
         let rows: String =
-            (0..21).map(|it| format!("{:.4};{:.3}\n", swings / of(it), response(of(it)))).collect();
+            (0..21).map(|row| format!("{:.4};{:.3}\n", swings / of(row), response(of(row)))).collect();
         let table = file("drive", format!("{heading};amplitude (cm)\n{rows}"));
         let answer = json(&format!("fit response --model linear {table} --from 0.1"));
         let omega0 = answer["parameters"][0]["value"].as_f64().unwrap();
@@ -394,7 +396,7 @@ fn half_swings_are_halves_and_periods_of_drives_frequencies() {
     }
     // Groups that the fit does not distinguish, and one of them.
     let block = |title: &str, factor: f64| {
-        let rows = (0..21).map(|it| format!("{:.4};{:.3}\n", factor * of(it), response(of(it))));
+        let rows = (0..21).map(|row| format!("{:.4};{:.3}\n", factor * of(row), response(of(row))));
         format!("{title}\nf (Hz);amplitude (cm)\n{}\n", rows.collect::<String>())
     };
     let table = file("drives", format!("{}{}", block("run 1", 1.0), block("run 2", 1.01)));
@@ -404,7 +406,7 @@ fn half_swings_are_halves_and_periods_of_drives_frequencies() {
     let told = json(&format!("fit response --model linear {table}"))["told_from_file"].to_string();
     assert!(told.contains("all groups are fitted together (--run chooses some)"), "{told}");
     // Times are not periods.
-    let rows: String = (0..21).map(|it| format!("{it};{:.3}\n", response(of(it)))).collect();
+    let rows: String = (0..21).map(|row| format!("{row};{:.3}\n", response(of(row)))).collect();
     let table = file("no-drive", format!("t (s);amplitude (cm)\n{rows}"));
     let output = libration(&format!("fit response --model linear {table}"));
     assert!(message(&output).contains("where frequencies are needed"), "{}", message(&output));
@@ -454,7 +456,8 @@ fn tables_of_documents_are_read_as_tables() {
 #[test]
 fn quantities_in_rows_are_columns() {
     let row = |of: &dyn Fn(f64) -> String| LENGTHS.map(of).join(";");
-    let (lengths, times) = (row(&|it| comma(100.0 * it, 0)), row(&|it| comma(10.0 * period(it), 2)));
+    let (lengths, times) =
+        (row(&|length| comma(100.0 * length, 0)), row(&|length| comma(10.0 * period(length), 2)));
     let (_, told) = check("rows", format!("Messung;1;2;3;4;5;6\nl in cm;{lengths}\n10 T in s;{times}\n"));
     assert!(told.contains("the quantities stand in rows"), "{told}");
     let swings = "swing,0,10,20,30,40,50\namplitude (deg),20,13.5,9.1,6.2,4.2,2.8\n";
@@ -474,7 +477,8 @@ fn headers_of_merged_and_broken_cells_name_their_columns() {
             format!("{},{},{},{}", first(length), time(0.01), time(-0.01), time(0.004))
         })
     };
-    let (metres, centimetres) = (|it: f64| format!("{it:.2}"), |it: f64| format!("{:.0}", 100.0 * it));
+    let (metres, centimetres) =
+        (|length: f64| format!("{length:.2}"), |length: f64| format!("{:.0}", 100.0 * length));
     for (name, header, rows) in [
         ("trials", ",Trial,,\nL (m),1,2,3", three(&metres, 1.0, 3)),
         ("no-title", "L (m),1,2,3", three(&metres, 1.0, 3)),
@@ -563,7 +567,8 @@ fn several_swings_that_were_counted_as_one_are_named() {
 fn amplitudes_against_numbers_of_swings_are_read_in_any_language() {
     let quality = 80.0;
     let amplitude = |swing: i32| 12.0 * (-std::f64::consts::PI * f64::from(swing) / quality).exp();
-    let table: String = (0..15).map(|it| format!("{};{}\n", 4 * it, comma(amplitude(4 * it), 3))).collect();
+    let table: String =
+        (0..15).map(|row| format!("{};{}\n", 4 * row, comma(amplitude(4 * row), 3))).collect();
     for (name, heading) in [
         ("de", "Schwingung Nr."),
         ("es", "número de oscilaciones"),
@@ -571,8 +576,8 @@ fn amplitudes_against_numbers_of_swings_are_read_in_any_language() {
         ("nl", "aantal slingeringen"),
     ] {
         let path = file(&format!("swings-{name}"), format!("{heading};A (cm)\n{table}"));
-        let found = json(&format!("fit amplitudes {path}"))["quality"].as_f64().unwrap();
-        assert!((found / quality - 1.0).abs() < 0.01, "{heading}: {found}");
+        let computed = json(&format!("fit amplitudes {path}"))["quality"].as_f64().unwrap();
+        assert!((computed / quality - 1.0).abs() < 0.01, "{heading}: {computed}");
     }
     let path = file("no-unit-amplitudes", format!("swing;amplitude\n{table}"));
     let said = unfolded(&message(&libration(&format!("fit amplitudes {path}"))));

@@ -116,7 +116,7 @@ fn the_sheet_says_how_the_table_was_read() {
 fn groups_are_compared_and_averaged() {
     let answer = json(&format!("fit lengths {}", example("groups.csv")));
     let names: Vec<&str> =
-        answer["groups"].as_array().unwrap().iter().map(|it| it["group"].as_str().unwrap()).collect();
+        answer["groups"].as_array().unwrap().iter().map(|group| group["group"].as_str().unwrap()).collect();
     assert_eq!(names, ["A", "B", "C"]);
     let mean = &answer["group_mean"];
     let pull = (mean["gravity_m_per_s2"].as_f64().unwrap() - 9.81)
@@ -146,8 +146,12 @@ fn a_group_that_stands_out_is_named() {
     let path = directory("class-standing-out").join("file.csv");
     std::fs::write(&path, format!("{rows}{}", wrong.collect::<String>())).unwrap();
     let answer = json(&format!("fit lengths {}", path.display()));
-    let out: Vec<bool> =
-        answer["groups"].as_array().unwrap().iter().map(|it| it["stands_out"].as_bool().unwrap()).collect();
+    let out: Vec<bool> = answer["groups"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|group| group["stands_out"].as_bool().unwrap())
+        .collect();
     assert_eq!(out, [false, false, false, true], "{answer}");
     let sheet = unfolded(&text(&format!("fit lengths {}", path.display())));
     assert!(sheet.contains("D stands out"), "{sheet}");
@@ -191,7 +195,7 @@ fn what_all_timings_share_is_a_row_of_the_budget() {
     let answer = json(&format!("fit periods {table} --length 0.500m±0.001m --shared-timing 0.2s"));
     let of = |answer: &serde_json::Value| {
         let inputs = answer["budget_inputs"].as_array().unwrap().clone();
-        let input = inputs.into_iter().find(|it| it["input"] == "shared timing").unwrap();
+        let input = inputs.into_iter().find(|input| input["input"] == "shared timing").unwrap();
         input["contribution_m_per_s2"].as_f64().unwrap().abs()
     };
     // 0.2 s of twenty swings are 0.01 s of each period; T/T0 is 1 to 1.07.
@@ -243,16 +247,16 @@ fn uncertainties_in_per_cent_or_in_the_heading_are_those_of_a_column() {
         let fitted = json(&format!("fit periods {}", path.display()));
         fitted["laws"][0]["t0_uncertainty_s"].as_f64().unwrap()
     };
-    let near = |found: f64, wanted: f64| (found / wanted - 1.0).abs() < 1e-9;
+    let near = |computed: f64, wanted: f64| (computed / wanted - 1.0).abs() < 1e-9;
     let parts = uncertainty("T (s),u (s)", ["2.00,0.02", "2.03,0.0203", "2.10,0.021", "2.20,0.022"]);
     for heading in ["T (s),u (%)", "T (s),u(T) in %"] {
-        let found = uncertainty(heading, ["2.00,1", "2.03,1", "2.10,1", "2.20,1"]);
-        assert!(near(found, parts), "{heading}: {found} {parts}");
+        let computed = uncertainty(heading, ["2.00,1", "2.03,1", "2.10,1", "2.20,1"]);
+        assert!(near(computed, parts), "{heading}: {computed} {parts}");
     }
     let same = uncertainty("T (s),u (s)", ["2.00,0.02", "2.03,0.02", "2.10,0.02", "2.20,0.02"]);
     for heading in ["T (s) ± 0.02", "T (s) ± 20 ms", "T ± 0.02 (s)"] {
-        let found = uncertainty(heading, ["2.00", "2.03", "2.10", "2.20"]);
-        assert!(near(found, same), "{heading}: {found} {same}");
+        let computed = uncertainty(heading, ["2.00", "2.03", "2.10", "2.20"]);
+        assert!(near(computed, same), "{heading}: {computed} {same}");
     }
 }
 
@@ -271,7 +275,7 @@ fn small_angle_period(path: &str) -> f64 {
 #[test]
 fn numbers_of_swings_in_any_words_divide_the_times() {
     let rows = ["10,10,20.019", "20,10,20.148", "30,20,40.796", "40,10,20.647", "50,20,41.892"];
-    for (place, heading) in (0..).zip([
+    for (number, heading) in (0..).zip([
         "number of periods",
         "periods",
         "num periods",
@@ -295,7 +299,7 @@ fn numbers_of_swings_in_any_words_divide_the_times() {
     ]) {
         let header = format!("amplitude (deg),{heading},t (s)");
         let lines: Vec<&str> = [header.as_str()].into_iter().chain(rows).collect();
-        let t0 = small_angle_period(&table(&format!("swings-{place}"), &lines));
+        let t0 = small_angle_period(&table(&format!("swings-{number}"), &lines));
         assert!((t0 - 2.0).abs() < 0.002, "{heading}: {t0}");
     }
 }
@@ -490,7 +494,7 @@ fn means_with_standard_deviations_are_as_good_as_their_readings() {
     let summary = |row: &[f64; 4]| {
         let [length, rest @ ..] = row;
         let mean = rest.iter().sum::<f64>() / 3.0;
-        let squares: f64 = rest.iter().map(|it| (it - mean) * (it - mean)).sum();
+        let squares: f64 = rest.iter().map(|reading| (reading - mean) * (reading - mean)).sum();
         format!("{length},{mean:.9},{:.9},3", (squares / 2.0).sqrt())
     };
     let of = |name: &str, header: &str, row: &dyn Fn(&[f64; 4]) -> String| {
@@ -498,14 +502,14 @@ fn means_with_standard_deviations_are_as_good_as_their_readings() {
         table(name, &[vec![header], rows.iter().map(String::as_str).collect()].concat())
     };
     let all = of("all_readings", "L (m),T1 (s),T2 (s),T3 (s)", &line);
-    let known = of("summaries", "L (m),T (s),sd (s),n", &summary);
-    agree(&all, &known);
-    let answer = json(&format!("fit lengths {known}"));
+    let summaries = of("summaries", "L (m),T (s),sd (s),n", &summary);
+    agree(&all, &summaries);
+    let answer = json(&format!("fit lengths {summaries}"));
     let told = answer["told_from_file"].to_string();
     assert!(told.contains("read as standard deviation of single readings of the period: column 3"), "{told}");
     assert!(told.contains("(10 degrees of freedom)"), "{told}");
     assert_eq!(answer["read_columns"][3]["role"], "readings");
-    agree(&known, &format!("{known} --role 3=period-deviation --role 4=readings"));
+    agree(&summaries, &format!("{summaries} --role 3=period-deviation --role 4=readings"));
     for (wrong, cells) in [("number", "0.01,2.5"), ("deviation", "-0.01,3")] {
         let lines = [
             "L (m),T (s),sd (s),number of readings",

@@ -38,7 +38,7 @@ fn the_quality_factor_is_that_of_the_damping() {
     // A fall of the amplitude with that of the energy: ∝ A.
     let turns = dry["turning_points"].as_array().unwrap();
     let [first, last] = [&turns[0], &turns[4]]
-        .map(|it| it["quality"].as_f64().unwrap() / it["amplitude_rad"].as_f64().unwrap());
+        .map(|row| row["quality"].as_f64().unwrap() / row["amplitude_rad"].as_f64().unwrap());
     assert!((last / first - 1.0).abs() < 1e-4, "{first} {last}");
     let sheet = text("decay 60deg --quadratic 0.1");
     assert!(sheet.contains("2πE/ΔE at the first amplitude"), "{sheet}");

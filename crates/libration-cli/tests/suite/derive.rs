@@ -253,8 +253,8 @@ fn notebooks_check_few_harmonics_and_formulas_of_the_catalogue() {
     let changes = [("64)/(16*", "64)/(17*"), ("Q(3, 8)", "Q(3, 7)"), ("exact(8)/(pi", "exact(9)/(pi")];
     let wrong = changes.map(|(right, wrong)| {
         let is_changed = |cell: &String| cell.contains("error_") && cell.contains(right);
-        let place = 1 + cells.iter().skip(1).position(is_changed).unwrap();
-        WrongNotebook::new(&cells, place, cells[place].replace(right, wrong))
+        let index = 1 + cells.iter().skip(1).position(is_changed).unwrap();
+        WrongNotebook::new(&cells, index, cells[index].replace(right, wrong))
     });
     assert_all_are_found("notebooks_catalogue", &wrong);
 }
@@ -266,8 +266,8 @@ fn notebooks_of_driven_oscillators_find_wrong_formulas() {
     );
     let changes = [("cos(3*ψ)", "3*ε", "4*ε"), ("(5.7)", "/(2*", "/(3*"), ("(6.3)", "(-F**2", "(-F**3")];
     let wrong = changes.map(|(inside, right, wrong)| {
-        let place = cells.iter().position(|cell| cell.contains(inside) && cell.contains(right)).unwrap();
-        WrongNotebook::new(&cells, place, cells[place].replace(right, wrong))
+        let index = cells.iter().position(|cell| cell.contains(inside) && cell.contains(right)).unwrap();
+        WrongNotebook::new(&cells, index, cells[index].replace(right, wrong))
     });
     assert_all_are_found("notebooks_driven", &wrong);
 }
@@ -297,20 +297,20 @@ struct WrongNotebook {
 }
 
 impl WrongNotebook {
-    fn new(cells: &[String], place: usize, wrong: String) -> Self {
+    fn new(cells: &[String], index: usize, wrong: String) -> Self {
         let mut cells = cells.to_vec();
-        cells[place].clone_from(&wrong);
+        cells[index].clone_from(&wrong);
         Self { cell: wrong, program: cells.join("\n") }
     }
 }
 
 /// The notebooks with a changed fraction, one for each cell with a fraction that may be changed.
 fn with_a_wrong_cell(cells: &[String]) -> Vec<WrongNotebook> {
-    let wrong = |(place, cell): (usize, &String)| {
+    let wrong = |(index, cell): (usize, &String)| {
         // The last number is changed, since the first ones may belong to given symbols.
         let at = cell.rfind("Q(").filter(|_| !is_for_any_function(cell))?;
         let changed = format!("{}Q(7, 6)*Q({}", &cell[..at], &cell[at + 2..]);
-        Some(WrongNotebook::new(cells, place, changed))
+        Some(WrongNotebook::new(cells, index, changed))
     };
     cells.iter().enumerate().skip(1).filter_map(wrong).collect()
 }
@@ -357,9 +357,9 @@ fn complaints(name: &str, programs: &[String]) -> Vec<Option<String>> {
     fs::write(&path, serde_json::to_string(programs).unwrap()).unwrap();
     let output = Command::new("python3").args(["-c", RUNNER]).arg(path).output().unwrap();
     assert!(output.status.success(), "{}", message(&output));
-    let found: Vec<Option<String>> = serde_json::from_slice(&output.stdout).unwrap();
-    assert_eq!(found.len(), programs.len());
-    found
+    let outputs: Vec<Option<String>> = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(outputs.len(), programs.len());
+    outputs
 }
 
 /// Returns `true` for a cell that holds for any function, so that a number in its example may change.

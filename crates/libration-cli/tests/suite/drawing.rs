@@ -279,8 +279,8 @@ fn small(text: &str, is_below: bool) -> String {
     } else {
         ["0123456789+−n", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁿ"]
     };
-    let place = |letter| drawn.chars().position(|character| character == letter).unwrap();
-    text.chars().map(|letter| written.chars().nth(place(letter)).unwrap()).collect()
+    let index = |letter| drawn.chars().position(|character| character == letter).unwrap();
+    text.chars().map(|letter| written.chars().nth(index(letter)).unwrap()).collect()
 }
 
 impl Text {
@@ -357,8 +357,8 @@ impl Scale {
         Self { origin: values[0] - slope * ticks[0].0, slope, is_logarithmic }
     }
 
-    fn value_at(self, place: f64) -> f64 {
-        let value = self.origin + self.slope * place;
+    fn value_at(self, position: f64) -> f64 {
+        let value = self.origin + self.slope * position;
         if self.is_logarithmic { 10f64.powf(value) } else { value }
     }
 }
@@ -389,5 +389,5 @@ fn raised(letter: char) -> Option<char> {
     "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
         .chars()
         .position(|character| character == letter)
-        .and_then(|place| "-0123456789".chars().nth(place))
+        .and_then(|index| "-0123456789".chars().nth(index))
 }

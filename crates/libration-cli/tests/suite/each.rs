@@ -30,8 +30,11 @@ fn are_those_of_single_runs(name: &str, question: &[&str], names: &str, rows: &[
     let names: Vec<&str> = names.split(',').collect();
     let (mut text, mut expected) = (names.join(",") + "\n", vec![]);
     for (number, [set, initial]) in (1..).zip(rows) {
-        let values: Vec<&str> =
-            [*set, *initial].into_iter().filter(|it| !it.is_empty()).flat_map(|it| it.split(',')).collect();
+        let values: Vec<&str> = [*set, *initial]
+            .into_iter()
+            .filter(|list| !list.is_empty())
+            .flat_map(|list| list.split(','))
+            .collect();
         text += &(values.iter().map(|value| value.split_once('=').unwrap().1).collect::<Vec<_>>().join(",")
             + "\n");
         let set = if set.is_empty() { vec![] } else { vec!["--set", *set] };
@@ -42,8 +45,8 @@ fn are_those_of_single_runs(name: &str, question: &[&str], names: &str, rows: &[
     }
     let many = out(&asked(name, &text, &[question, &["--csv"]].concat()));
     assert_eq!(many.lines().count(), expected.len() + 1, "{question:?}");
-    for (found, expected) in many.lines().skip(1).zip(&expected) {
-        assert_eq!(found, expected, "{question:?}");
+    for (line, expected) in many.lines().skip(1).zip(&expected) {
+        assert_eq!(line, expected, "{question:?}");
     }
     assert!(expected.len() > rows.len(), "{question:?}");
 }
@@ -167,15 +170,15 @@ fn more_failures_than_are_read_are_counted() {
 
 #[test]
 fn the_answer_goes_to_a_file_without_a_state() {
-    let place = directory("each-output");
-    let answer = place.join("answer.json").display().to_string();
+    let folder = directory("each-output");
+    let answer = folder.join("answer.json").display().to_string();
     let question = ["pendulum", "--times", "0:2:1", "--output", &answer];
     let output = asked("output", "theta\n1\n2\n", &question);
     let told = unfolded(&out(&output));
     assert!(told.contains("answer.json written: 2 motions of the simple pendulum"), "{told}");
     let written: Value = serde_json::from_slice(&std::fs::read(&answer).unwrap()).unwrap();
     assert_eq!(written["motions"][1]["initial"][0], 2.0);
-    assert!(!place.join("answer.json.state").exists());
+    assert!(!folder.join("answer.json.state").exists());
 }
 
 #[test]

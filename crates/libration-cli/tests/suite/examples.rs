@@ -12,12 +12,12 @@ const HELP_WIDTH: usize = 80;
 pub(crate) fn clone_of_the_project(name: &str) -> PathBuf {
     let clone = directory(name);
     let root = root();
-    for place in
+    for folder in
         [root.join("examples/class"), root.join("examples/phone"), root.join("examples"), root.clone()]
     {
-        let inside = clone.join(place.strip_prefix(&root).unwrap());
+        let inside = clone.join(folder.strip_prefix(&root).unwrap());
         fs::create_dir_all(&inside).unwrap();
-        for entry in fs::read_dir(&place).unwrap().map(Result::unwrap) {
+        for entry in fs::read_dir(&folder).unwrap().map(Result::unwrap) {
             if entry.file_type().unwrap().is_file() {
                 fs::copy(entry.path(), inside.join(entry.file_name())).unwrap();
             }
@@ -31,21 +31,21 @@ pub(crate) fn root() -> PathBuf {
 }
 
 /// Runs a line of shell with the command on the path.
-pub(crate) fn in_shell(line: &str, place: &Path) -> Output {
+pub(crate) fn in_shell(line: &str, folder: &Path) -> Output {
     let command = Path::new(env!("CARGO_BIN_EXE_libration")).parent().unwrap().to_owned();
     let path = std::env::var_os("PATH").unwrap();
     let paths = std::iter::once(command).chain(std::env::split_paths(&path));
     Command::new("bash")
         .args(["-euo", "pipefail", "-c", line])
-        .current_dir(place)
+        .current_dir(folder)
         .env("PATH", std::env::join_paths(paths).unwrap())
         .env_remove("COLUMNS")
         .output()
         .unwrap()
 }
 
-fn answer(line: &str, place: &Path) -> String {
-    let output = in_shell(line, place);
+fn answer(line: &str, folder: &Path) -> String {
+    let output = in_shell(line, folder);
     let (message, text) = (String::from_utf8_lossy(&output.stderr), String::from_utf8_lossy(&output.stdout));
     assert!(output.status.success(), "{line}\nends with {}: {message}", output.status);
     text.into_owned()
@@ -53,13 +53,14 @@ fn answer(line: &str, place: &Path) -> String {
 
 /// The commands, each as its words, including those that only group others.
 pub(crate) fn commands() -> Vec<Vec<String>> {
-    let mut found = vec![vec![]];
+    let mut queries = vec![vec![]];
     let mut next = 0;
-    while let Some(words) = found.get(next).cloned() {
-        found.extend(subcommands(&help(&words)).into_iter().map(|name| [words.clone(), vec![name]].concat()));
+    while let Some(words) = queries.get(next).cloned() {
+        queries
+            .extend(subcommands(&help(&words)).into_iter().map(|name| [words.clone(), vec![name]].concat()));
         next += 1;
     }
-    found
+    queries
 }
 
 pub(crate) fn help(words: &[String]) -> String {
@@ -119,9 +120,9 @@ fn every_command_has_examples_and_its_help_fits_a_terminal() {
 fn examples_run(part: usize, parts: usize) {
     let all = commands().into_iter().filter(|words| *words != ["page"]).enumerate();
     for (number, words) in all.filter(|(number, _)| number % parts == part) {
-        let place = clone_of_the_project(&format!("examples-{number}"));
+        let clone = clone_of_the_project(&format!("examples-{number}"));
         for example in examples(&help(&words)) {
-            answer(&example, &place);
+            answer(&example, &clone);
         }
     }
 }
@@ -172,12 +173,12 @@ fn is_shown(lines: &[&str], shown: &[String]) -> bool {
 #[test]
 fn the_readme_shows_what_comes_out() {
     let text = fs::read_to_string(root().join("README.md")).unwrap();
-    let place = clone_of_the_project("readme-shown");
+    let clone = clone_of_the_project("readme-shown");
     let shown = shown_in(&text);
     assert!(shown.len() >= 3);
     for Shown { command, output } in shown {
         assert!(!output.is_empty(), "{command}");
-        let answer = answer(&command, &place);
+        let answer = answer(&command, &clone);
         let lines: Vec<&str> = answer.lines().collect();
         assert!(is_shown(&lines, &output), "{command}\nshown:\n{}\n\nwritten:\n{answer}", output.join("\n"));
     }
@@ -190,20 +191,20 @@ pub(crate) fn commands_in(text: &str) -> Vec<String> {
     let indented = text.lines().filter_map(|line| line.strip_prefix("    "));
     let released = text.lines().filter_map(|line| line.strip_prefix("cargo run --release -- "));
     let released = released.map(|line| format!("libration {line}"));
-    let found = quoted.chain(indented).filter(|text| text.starts_with("libration ")).map(str::to_owned);
+    let commands = quoted.chain(indented).filter(|text| text.starts_with("libration ")).map(str::to_owned);
     // `libration COMMAND` stands for any command.
-    found.chain(released).filter(|line| !line.contains("COMMAND")).collect()
+    commands.chain(released).filter(|line| !line.contains("COMMAND")).collect()
 }
 
 #[test]
 fn the_commands_of_the_readmes_run_and_do_not_flood_the_screen() {
     for (name, least) in [("README.md", 20), ("examples/README.md", 4)] {
         let text = fs::read_to_string(root().join(name)).unwrap();
-        let place = clone_of_the_project("readme-commands");
+        let clone = clone_of_the_project("readme-commands");
         let commands = commands_in(&text);
         assert!(commands.len() >= least, "{name}: {commands:?}");
         for command in commands {
-            let answer = answer(&command, &place);
+            let answer = answer(&command, &clone);
             // A completion script and a table requested as CSV may be long.
             let is_long = command.contains("completions") || command.contains("--csv");
             assert!(is_long || answer.lines().count() <= MOST_LINES, "{command}: {}", answer.lines().count());

@@ -130,7 +130,7 @@ fn assert_printed(case: &Case, format: &str, program: &mut Command) {
     let output = program.output().unwrap();
     assert!(output.status.success(), "{} in {format}: {}", case.name, message(&output));
     let text = String::from_utf8(output.stdout).unwrap();
-    let printed: Vec<f64> = text.split_whitespace().map(|it| it.parse().unwrap()).collect();
+    let printed: Vec<f64> = text.split_whitespace().map(|number| number.parse().unwrap()).collect();
     assert_eq!(printed.len(), 3, "{text}");
     for (printed, expected) in printed.iter().zip(expected(case)) {
         let error = (printed - expected).abs();
@@ -142,8 +142,8 @@ fn assert_printed(case: &Case, format: &str, program: &mut Command) {
     }
 }
 
-fn built(compiler: &str, arguments: &[&str], place: &Path) {
-    let output = Command::new(compiler).args(arguments).current_dir(place).output().unwrap();
+fn built(compiler: &str, arguments: &[&str], folder: &Path) {
+    let output = Command::new(compiler).args(arguments).current_dir(folder).output().unwrap();
     assert!(output.status.success(), "{compiler} {arguments:?}: {}", message(&output));
 }
 
@@ -153,10 +153,10 @@ fn is_there(program: &str) -> bool {
 
 #[test]
 fn python_computes_what_the_series_say() {
-    let place = directory("expansion_code_python");
+    let folder = directory("expansion_code_python");
     for case in &CASES {
         let prints: String = calls(case, str::to_owned).map(|call| format!("print(repr({call}))\n")).concat();
-        let file = place.join(format!("{}.py", case.name));
+        let file = folder.join(format!("{}.py", case.name));
         std::fs::write(&file, code(case, "python") + "\n\n" + &prints).unwrap();
         assert_printed(case, "python", Command::new("python3").arg(file));
     }
@@ -164,7 +164,7 @@ fn python_computes_what_the_series_say() {
 
 #[test]
 fn rust_computes_what_the_series_say() {
-    let place = directory("expansion_code_rust");
+    let folder = directory("expansion_code_rust");
     let (mut modules, mut main) = (String::new(), String::new());
     for case in &CASES {
         modules += &format!("mod {} {{\n{}}}\n", case.name, code(case, "rust"));
@@ -176,10 +176,10 @@ fn rust_computes_what_the_series_say() {
             prints.concat()
         );
     }
-    std::fs::write(place.join("code.rs"), format!("{modules}fn main() {{\n{main}}}\n")).unwrap();
-    built("rustc", &["--edition", "2024", "-o", "code", "code.rs"], &place);
+    std::fs::write(folder.join("code.rs"), format!("{modules}fn main() {{\n{main}}}\n")).unwrap();
+    built("rustc", &["--edition", "2024", "-o", "code", "code.rs"], &folder);
     for case in &CASES {
-        assert_printed(case, "rust", Command::new(place.join("code")).arg(case.name));
+        assert_printed(case, "rust", Command::new(folder.join("code")).arg(case.name));
     }
 }
 
@@ -188,14 +188,14 @@ fn c_computes_what_the_series_say() {
     if !is_there("cc") {
         return;
     }
-    let place = directory("expansion_code_c");
+    let folder = directory("expansion_code_c");
     for case in &CASES {
         let prints =
             calls(case, str::to_owned).map(|call| format!("printf(\"%.17g\\n\", {call});\n")).concat();
         let main = format!("#include <stdio.h>\nint main(void)\n{{\n{prints}return 0;\n}}\n");
-        std::fs::write(place.join("code.c"), code(case, "c") + &main).unwrap();
-        built("cc", &["-std=c99", "-Wall", "-Werror", "-o", case.name, "code.c", "-lm"], &place);
-        assert_printed(case, "c", &mut Command::new(place.join(case.name)));
+        std::fs::write(folder.join("code.c"), code(case, "c") + &main).unwrap();
+        built("cc", &["-std=c99", "-Wall", "-Werror", "-o", case.name, "code.c", "-lm"], &folder);
+        assert_printed(case, "c", &mut Command::new(folder.join(case.name)));
     }
 }
 
@@ -204,16 +204,16 @@ fn fortran_computes_what_the_series_say() {
     if !is_there("gfortran") {
         return;
     }
-    let place = directory("expansion_code_fortran");
+    let folder = directory("expansion_code_fortran");
     for case in &CASES {
         let prints =
-            calls(case, |it| format!("{it}_real64")).map(|call| format!("  print *, {call}\n")).concat();
+            calls(case, |name| format!("{name}_real64")).map(|call| format!("  print *, {call}\n")).concat();
         let main = format!(
             "program main\n  use, intrinsic :: iso_fortran_env, only: real64\n  use oscillator\n  implicit none\n{prints}end program main\n"
         );
-        std::fs::write(place.join("code.f90"), code(case, "fortran") + &main).unwrap();
-        built("gfortran", &["-std=f2008", "-Wall", "-o", case.name, "code.f90"], &place);
-        assert_printed(case, "fortran", &mut Command::new(place.join(case.name)));
+        std::fs::write(folder.join("code.f90"), code(case, "fortran") + &main).unwrap();
+        built("gfortran", &["-std=f2008", "-Wall", "-o", case.name, "code.f90"], &folder);
+        assert_printed(case, "fortran", &mut Command::new(folder.join(case.name)));
     }
 }
 
@@ -274,7 +274,7 @@ fn calls_of(flow: &[&str], number: impl Fn(&str) -> String) -> Vec<(String, f64)
     let read = Command::new("python3").args(["-c", READ, &table]).output().unwrap();
     let call = |line: &str| {
         let words: Vec<&str> = line.split(' ').collect();
-        let arguments: Vec<String> = words[1..words.len() - 1].iter().map(|it| number(it)).collect();
+        let arguments: Vec<String> = words[1..words.len() - 1].iter().map(|word| number(word)).collect();
         (format!("{}({})", words[0], arguments.join(", ")), words[words.len() - 1].parse().unwrap())
     };
     String::from_utf8(read.stdout).unwrap().lines().map(call).collect()
@@ -287,18 +287,18 @@ fn assert_flows(
     program: fn(&str, &[String]) -> String,
     ran: fn(&Path) -> Command,
 ) {
-    let place = directory(&format!("slow_flow_{language}"));
+    let folder = directory(&format!("slow_flow_{language}"));
     for flow in FLOWS {
         let code = run(&[flow, &["--format", language]].concat());
         assert!(code.status.success(), "{flow:?}: {}", message(&code));
         let (calls, values): (Vec<String>, Vec<f64>) = calls_of(flow, number).into_iter().unzip();
         assert!(calls.len() >= 6, "{flow:?}");
         let code = program(&String::from_utf8(code.stdout).unwrap(), &calls);
-        std::fs::write(place.join("code"), code).unwrap();
-        let output = ran(&place).output().unwrap();
+        std::fs::write(folder.join("code"), code).unwrap();
+        let output = ran(&folder).output().unwrap();
         assert!(output.status.success(), "{flow:?} in {language}: {}", message(&output));
         let text = String::from_utf8(output.stdout).unwrap();
-        let printed: Vec<f64> = text.split_whitespace().map(|it| it.parse().unwrap()).collect();
+        let printed: Vec<f64> = text.split_whitespace().map(|value| value.parse().unwrap()).collect();
         assert_eq!(printed.len(), values.len(), "{text}");
         for ((printed, value), call) in printed.iter().zip(values).zip(calls) {
             // A few hundred roundings of terms that are below ten.
@@ -315,9 +315,9 @@ fn printed(calls: &[String], before: &str, after: &str) -> String {
 #[test]
 fn slow_flows_in_python_are_their_formulas() {
     let program = |code: &str, calls: &[String]| format!("{code}\n\n{}", printed(calls, "print(repr(", "))"));
-    let ran = |place: &Path| {
+    let ran = |folder: &Path| {
         let mut python = Command::new("python3");
-        python.arg(place.join("code"));
+        python.arg(folder.join("code"));
         python
     };
     assert_flows("python", str::to_owned, program, ran);
@@ -331,9 +331,9 @@ fn slow_flows_in_rust_are_their_formulas() {
             printed(calls, "println!(\"{:?}\", ", ");")
         )
     };
-    let ran = |place: &Path| {
-        built("rustc", &["--edition", "2024", "-o", "program", "code"], place);
-        Command::new(place.join("program"))
+    let ran = |folder: &Path| {
+        built("rustc", &["--edition", "2024", "-o", "program", "code"], folder);
+        Command::new(folder.join("program"))
     };
     assert_flows("rust", str::to_owned, program, ran);
 }
@@ -347,9 +347,9 @@ fn slow_flows_in_c_are_their_formulas() {
         let prints = printed(calls, "printf(\"%.17g\\n\", ", ");");
         format!("{code}\n#include <stdio.h>\nint main(void)\n{{\n{prints}return 0;\n}}\n")
     };
-    let ran = |place: &Path| {
-        built("cc", &["-std=c99", "-Wall", "-Werror", "-o", "program", "-x", "c", "code", "-lm"], place);
-        Command::new(place.join("program"))
+    let ran = |folder: &Path| {
+        built("cc", &["-std=c99", "-Wall", "-Werror", "-o", "program", "-x", "c", "code", "-lm"], folder);
+        Command::new(folder.join("program"))
     };
     assert_flows("c", str::to_owned, program, ran);
 }
@@ -364,12 +364,12 @@ fn slow_flows_in_fortran_are_their_formulas() {
         let prints = printed(calls, "  print *, ", "").replace(", ", ", &\n    ");
         format!("{code}\nprogram main\n  {uses}\n{prints}end program main\n")
     };
-    let ran = |place: &Path| {
+    let ran = |folder: &Path| {
         let options = ["-std=f2008", "-ffree-form", "-Wall", "-Werror", "-o", "program", "-x", "f95", "code"];
-        built("gfortran", &options, place);
-        Command::new(place.join("program"))
+        built("gfortran", &options, folder);
+        Command::new(folder.join("program"))
     };
-    assert_flows("fortran", |it| format!("{it}_real64"), program, ran);
+    assert_flows("fortran", |name| format!("{name}_real64"), program, ran);
 }
 
 /// Fortran has one name for X and x: the second function gets another.
@@ -382,7 +382,7 @@ fn coordinates_that_differ_by_a_capital_have_functions_in_fortran() {
     if !is_there("gfortran") {
         return;
     }
-    let place = directory("slow_flow_capitals");
-    std::fs::write(place.join("code"), code).unwrap();
-    built("gfortran", &["-std=f2008", "-ffree-form", "-Wall", "-Werror", "-c", "-x", "f95", "code"], &place);
+    let folder = directory("slow_flow_capitals");
+    std::fs::write(folder.join("code"), code).unwrap();
+    built("gfortran", &["-std=f2008", "-ffree-form", "-Wall", "-Werror", "-c", "-x", "f95", "code"], &folder);
 }

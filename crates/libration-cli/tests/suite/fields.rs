@@ -39,8 +39,8 @@ fn kind_of<'a>(kinds: &'a [Kind], words: &[String]) -> &'a Kind {
     let asked = |kind: &&Kind| !kind.option.is_empty() && words.contains(&kind.option);
     let usual = |kind: &&Kind| kind.option.is_empty();
     let mut of_question = kinds.iter().filter(of_command);
-    let found = of_question.clone().find(asked).or_else(|| of_question.find(usual));
-    found.unwrap_or_else(|| panic!("nothing is said of the answers to {words:?}"))
+    let kind = of_question.clone().find(asked).or_else(|| of_question.find(usual));
+    kind.unwrap_or_else(|| panic!("nothing is said of the answers to {words:?}"))
 }
 
 fn words_of(text: &str) -> Vec<String> {
@@ -54,17 +54,17 @@ fn paths(value: &Value) -> BTreeSet<String> {
     paths
 }
 
-fn collect(value: &Value, place: &str, paths: &mut BTreeSet<String>) {
+fn collect(value: &Value, parent: &str, paths: &mut BTreeSet<String>) {
     match value {
         Value::Object(fields) => {
             for (name, value) in fields {
-                let path = if place.is_empty() { name.clone() } else { format!("{place}.{name}") };
+                let path = if parent.is_empty() { name.clone() } else { format!("{parent}.{name}") };
                 paths.insert(path.clone());
                 collect(value, &path, paths);
             }
         }
         Value::Array(items) => {
-            let path = format!("{place}[]");
+            let path = format!("{parent}[]");
             paths.insert(path.clone());
             items.iter().for_each(|item| collect(item, &path, paths));
         }
@@ -87,10 +87,10 @@ type Known<'a> = &'a dyn Fn(&str) -> bool;
 
 /// Returns `true` if a name in a result matches a described name, whose capitals represent strings of the result or numbers.
 fn is_name(name: &str, described: &str, words: &BTreeSet<String>) -> bool {
-    let stands_for = |placeholder: &str, known: Known<'_>| {
+    let stands_for = |placeholder: &str, matches: Known<'_>| {
         let (before, after) = described.split_once(placeholder)?;
         let middle = name.strip_prefix(before)?.strip_suffix(after)?;
-        Some(known(middle))
+        Some(matches(middle))
     };
     let is_word = |text: &str| words.contains(text);
     let is_number = |text: &str| text.parse::<f64>().is_ok();
@@ -98,7 +98,7 @@ fn is_name(name: &str, described: &str, words: &BTreeSet<String>) -> bool {
         [("NAME", &is_word), ("KEY", &is_word), ("TOLERANCE", &is_number), ("K", &is_number)];
     let placeholder = kinds.iter().find(|(placeholder, _)| described.contains(placeholder));
     match placeholder {
-        Some((placeholder, known)) => stands_for(placeholder, known).unwrap_or(false),
+        Some((placeholder, matches)) => stands_for(placeholder, matches).unwrap_or(false),
         None => name == described,
     }
 }
@@ -114,8 +114,8 @@ fn leads_to(path: &str, described: &str, words: &BTreeSet<String>) -> bool {
     }
     let mut pairs = path.iter().zip(&described).enumerate();
     path.len() <= described.len()
-        && pairs.all(|(place, (name, described))| {
-            let open = place > 0 && is_parameter(path[place - 1]) && *described == "NAME";
+        && pairs.all(|(index, (name, described))| {
+            let open = index > 0 && is_parameter(path[index - 1]) && *described == "NAME";
             open || is_name(name, described, words)
         })
 }
@@ -156,24 +156,26 @@ impl Shown {
     fn json(&mut self, kind: &Kind, answer: &Value) {
         let words = strings(answer);
         for path in paths(answer) {
-            let known: Vec<&String> = kind.json.iter().filter(|it| leads_to(&path, it, &words)).collect();
-            if known.is_empty() {
+            let described: Vec<&String> =
+                kind.json.iter().filter(|field| leads_to(&path, field, &words)).collect();
+            if described.is_empty() {
                 self.lacks(kind, &path);
             }
             let is_whole =
                 |string: &&String| string.as_str() == "note" || steps(string).len() == steps(&path).len();
-            known.into_iter().filter(is_whole).for_each(|it| self.add(kind, "json", it));
+            described.into_iter().filter(is_whole).for_each(|field| self.add(kind, "json", field));
         }
     }
 
     /// Checks that every name in the first line of CSV is described; capitals represent strings of the JSON result.
     fn csv(&mut self, kind: &Kind, table: &str, words: &BTreeSet<String>) {
         for name in table.lines().next().unwrap_or_default().split(',').map(|name| name.trim_matches('"')) {
-            let known: Vec<&String> = kind.csv.iter().filter(|it| is_name(name, it, words)).collect();
-            if known.is_empty() {
+            let described: Vec<&String> =
+                kind.csv.iter().filter(|field| is_name(name, field, words)).collect();
+            if described.is_empty() {
                 self.lacks(kind, name);
             }
-            known.into_iter().for_each(|it| self.add(kind, "csv", it));
+            described.into_iter().for_each(|field| self.add(kind, "csv", field));
         }
     }
 
@@ -313,7 +315,7 @@ fn questions() -> Vec<Vec<String>> {
     let weighted = weighted.display().to_string();
     let places = [("FILE", &file), ("LATER", &later), ("SWEEP", &sweep), ("WEIGHTED", &weighted)];
     let in_place =
-        |word: &str| places.iter().fold(word.to_owned(), |word, (name, place)| word.replace(name, place));
+        |word: &str| places.iter().fold(word.to_owned(), |word, (name, path)| word.replace(name, path));
     let question = |text: &&str| text.split('|').map(in_place).collect();
     widths::QUESTIONS.iter().chain(FURTHER).map(question).collect()
 }
@@ -342,7 +344,7 @@ fn examples_with_fields() -> Vec<String> {
     let readmes = ["README.md", "examples/README.md"];
     let of_readmes = readmes.iter().flat_map(|name| {
         let text = std::fs::read_to_string(root().join(name)).unwrap();
-        [commands_in(&text), shown_in(&text).into_iter().map(|it| it.command).collect()].concat()
+        [commands_in(&text), shown_in(&text).into_iter().map(|example| example.command).collect()].concat()
     });
     let has_form = |line: &String| line.contains("--json") || line.contains("--csv");
     of_help.into_iter().chain(of_readmes).filter(has_form).collect()
@@ -351,18 +353,18 @@ fn examples_with_fields() -> Vec<String> {
 #[test]
 fn the_fields_of_the_examples_are_described() {
     let (kinds, mut shown) = (kinds(), Shown::default());
-    let place = clone_of_the_project("fields-examples");
+    let folder = clone_of_the_project("fields-examples");
     let examples = examples_with_fields();
     assert!(examples.len() > 10, "{examples:?}");
     for example in examples {
         let line = example.split(" > ").next().unwrap().split("  #").next().unwrap();
         let words = question_in(line);
-        let text = in_example(line, &place);
+        let text = in_example(line, &folder);
         let kind = kind_of(&kinds, &words);
         if words.contains(&"--json".to_owned()) {
             shown.json(kind, &serde_json::from_str(&text).unwrap());
         } else {
-            let json = in_example(&line.replace("--csv", "--json"), &place);
+            let json = in_example(&line.replace("--csv", "--json"), &folder);
             shown.csv(kind, &text, &strings(&serde_json::from_str(&json).unwrap()));
         }
     }
@@ -374,8 +376,8 @@ fn question_in(line: &str) -> Vec<String> {
     words_of(line.split("libration ").nth(1).unwrap())
 }
 
-fn in_example(line: &str, place: &Path) -> String {
-    let output = in_shell(line, place);
+fn in_example(line: &str, folder: &Path) -> String {
+    let output = in_shell(line, folder);
     assert!(output.status.success(), "{line}: {}", message(&output));
     String::from_utf8(output.stdout).unwrap()
 }
@@ -385,8 +387,8 @@ fn a_field_without_a_description_would_be_seen() {
     let kind = |json: &[&str], csv: &[&str]| Kind {
         command: "x".to_owned(),
         option: String::new(),
-        json: json.iter().map(|it| (*it).to_owned()).collect(),
-        csv: csv.iter().map(|it| (*it).to_owned()).collect(),
+        json: json.iter().map(|field| (*field).to_owned()).collect(),
+        csv: csv.iter().map(|field| (*field).to_owned()).collect(),
     };
     let described = kind(&["a[].b", "c.K.d[]", "parameters.NAME", "note"], &["b", "KEY_ratio"]);
     let undescribed = |answer: Value, table: &str| {
@@ -398,10 +400,10 @@ fn a_field_without_a_description_would_be_seen() {
     let answer = json!({"a": [{"b": "key", "note": ""}], "c": {"1": {"d": [1]}}, "parameters": {"m": 1}});
     assert_eq!(undescribed(answer.clone(), "b,key_ratio"), 0);
     assert_eq!(undescribed(answer.clone(), "b,other_ratio,more"), 2);
-    for (place, name) in [("/a/0", "new"), ("", "new"), ("/c/1", "e"), ("/c", "m")] {
+    for (pointer, name) in [("/a/0", "new"), ("", "new"), ("/c/1", "e"), ("/c", "m")] {
         let mut more = answer.clone();
-        more.pointer_mut(place).unwrap()[name] = json!(1);
-        assert_eq!(undescribed(more, "b"), 1, "{place}/{name}");
+        more.pointer_mut(pointer).unwrap()[name] = json!(1);
+        assert_eq!(undescribed(more, "b"), 1, "{pointer}/{name}");
     }
     assert_eq!(undescribed(json!({"a": 1, "c": {"1": [1]}}), "b"), 1);
 }
@@ -457,9 +459,12 @@ fn names_of_fields_end_in_their_units() {
         for field in ["json", "csv"].iter().flat_map(|form| entry[*form].as_array().unwrap()) {
             let [path, unit] = ["name", "unit"].map(|key| field[key].as_str().unwrap());
             let name = path.rsplit('.').next().unwrap().trim_end_matches("[]");
-            let of_unit = ENDINGS.iter().find(|it| it.0 == unit).map(|it| it.1);
-            let longest =
-                ENDINGS.iter().map(|it| it.1).filter(|it| name.ends_with(it)).max_by_key(|it| it.len());
+            let of_unit = ENDINGS.iter().find(|pair| pair.0 == unit).map(|pair| pair.1);
+            let longest = ENDINGS
+                .iter()
+                .map(|pair| pair.1)
+                .filter(|ending| name.ends_with(ending))
+                .max_by_key(|ending| ending.len());
             let is_right = match (unit, of_unit) {
                 ("" | "1" | OPEN, _) => longest.is_none(),
                 (_, Some(ending)) => longest == Some(ending) || SETTLED.contains(&name),

@@ -40,23 +40,23 @@ fn period_ratio(amplitude: f64) -> f64 {
     a.recip()
 }
 
-fn close(found: f64, expected: f64, tolerance: f64) {
-    assert!((found - expected).abs() <= tolerance, "{found} is not {expected}, by more than {tolerance}");
+fn close(drawn: f64, expected: f64, tolerance: f64) {
+    assert!((drawn - expected).abs() <= tolerance, "{drawn} is not {expected}, by more than {tolerance}");
 }
 
 /// Asserts that two sets of points are equal in any order, within the rounding of shapes.
-fn same_points(drawing: &Drawing, panel: usize, found: Vec<Place>, expected: Vec<Place>) {
+fn same_points(drawing: &Drawing, panel: usize, drawn: Vec<Place>, expected: Vec<Place>) {
     let sorted = |mut points: Vec<Place>| {
         points.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
         points
     };
-    let (found, expected) = (sorted(found), sorted(expected));
-    assert_eq!(found.len(), expected.len(), "{found:?} {expected:?}");
+    let (drawn, expected) = (sorted(drawn), sorted(expected));
+    assert_eq!(drawn.len(), expected.len(), "{drawn:?} {expected:?}");
     // A hundredth of a unit for the point, and the same for each of the two ticks that give the scale.
     let (x, y) = drawing.panels[panel].resolution();
     let is_near = |a: Place, b: Place| (a.0 - b.0).abs() <= 3.0 * x && (a.1 - b.1).abs() <= 3.0 * y;
     for point in &expected {
-        assert!(found.iter().any(|other| is_near(*point, *other)), "{point:?} is not drawn: {found:?}");
+        assert!(drawn.iter().any(|other| is_near(*point, *other)), "{point:?} is not drawn: {drawn:?}");
     }
 }
 
@@ -128,19 +128,19 @@ fn orbits_of_the_phase_portrait() {
     let answer =
         json(&format!("figure phase --amplitudes 60deg,120deg --energies 1.3,2 --output {}", file("phase")));
     let expected = [0.25, 0.75, 1.0, 1.3, 2.0];
-    let mut place = None;
+    let mut index = None;
     for series in answer["series"].as_array().unwrap() {
         if !series["label"].as_str().unwrap().is_empty() {
-            place = Some(place.map_or(0, |place: usize| place + 1));
+            index = Some(index.map_or(0, |last: usize| last + 1));
         }
-        let expected = expected[place.unwrap()];
+        let expected = expected[index.unwrap()];
         assert!(
             points(series).iter().all(|point| (invariant(point) - expected).abs() < 1e-13),
             "{}",
             series["label"]
         );
     }
-    assert_eq!(place, Some(4));
+    assert_eq!(index, Some(4));
     let drawing = figure("phase|--amplitudes|60deg|--energies|2");
     let orbit = drawing.curves(0, FIRST).concat();
     assert!(orbit.len() > 800 && orbit.iter().all(|point| (invariant(point) - 0.25).abs() < 2e-3));
@@ -223,9 +223,9 @@ fn a_decay_with_its_slow_flow() {
     let cycles = drawing.curves(1, FOURTH).concat();
     assert_eq!(cycles.len(), expected.len());
     let (x, y) = drawing.panels[1].resolution();
-    for (found, expected) in cycles.iter().zip(expected) {
-        close(found.0, expected.0, 3.0 * x);
-        close(found.1, expected.1, 3.0 * y);
+    for (drawn, expected) in cycles.iter().zip(expected) {
+        close(drawn.0, expected.0, 3.0 * x);
+        close(drawn.1, expected.1, 3.0 * y);
     }
 }
 
@@ -310,7 +310,7 @@ fn each_motion_of_a_table_has_its_curve() {
         for (t, v) in &curves[1] {
             close(*v, -start * frequency * (frequency * t).sin(), 0.03);
         }
-        let last = curves[0].iter().map(|place| place.0).fold(0.0, f64::max);
+        let last = curves[0].iter().map(|point| point.0).fold(0.0, f64::max);
         close(last, end, 0.01);
         same_points(&drawing, 0, drawing.markers(0, colour), vec![(end, -0.5)]);
     }
@@ -366,7 +366,7 @@ fn a_pendulum_swings_above_its_curve_where_there_is_no_room_beside_it() {
     let (_, degrees) = axes.data_at(dot[0][0]);
     close(degrees, 150.0, 3.0 * axes.resolution().1);
     // Moving parts do not cover text.
-    let highest = rod.iter().flatten().map(|place| place.1).fold(f64::INFINITY, f64::min);
+    let highest = rod.iter().flatten().map(|point| point.1).fold(f64::INFINITY, f64::min);
     let words = drawing.texts.iter().filter(|text| ["title", "parameters"].contains(&text.class.as_str()));
     assert!(words.map(|text| text.extent()[3]).all(|bottom| bottom < highest));
 }
@@ -443,11 +443,11 @@ fn points_of_a_section() {
     let markers = drawing.markers(0, FIRST);
     assert_eq!(markers.len(), 6);
     let (x, _) = drawing.panels[0].resolution();
-    for (place, marker) in markers.iter().enumerate() {
+    for (index, marker) in markers.iter().enumerate() {
         close(marker.0.abs(), 0.5, 3.0 * x);
         // The velocity vanishes within the integration tolerance.
         close(marker.1, 0.0, 1e-9);
-        assert!(place == 0 || marker.0 * markers[place - 1].0 < 0.0);
+        assert!(index == 0 || marker.0 * markers[index - 1].0 < 0.0);
     }
 }
 
@@ -508,8 +508,8 @@ fn a_spectrum_of_measured_swings() {
     for (colour, name) in [(SECOND, "theory"), (BLACK, "amplitude")] {
         let expected = value(&third[name]).to_degrees().abs();
         let markers = drawing.markers(0, colour);
-        let found = markers.iter().find(|(x, _)| (x - frequency).abs() < 0.01).unwrap();
-        close(found.1 / expected, 1.0, 0.02);
+        let marker = markers.iter().find(|(x, _)| (x - frequency).abs() < 0.01).unwrap();
+        close(marker.1 / expected, 1.0, 0.02);
     }
     let height = |(x, y): &Place| if (x - frequency).abs() < 0.05 { *y } else { 0.0 };
     let line = drawing.curves(0, FIRST).concat().iter().map(height).fold(0.0, f64::max);
@@ -525,7 +525,7 @@ fn farthest_from_chords(curve: &[Place]) -> f64 {
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
         high - low
     };
-    let (width, height) = (extent(|place| place.0), extent(|place| place.1));
+    let (width, height) = (extent(|point| point.0), extent(|point| point.1));
     let far = |three: &[Place]| {
         let along = |from: usize, to: usize| {
             ((three[to].0 - three[from].0) / width, (three[to].1 - three[from].1) / height)
@@ -548,7 +548,7 @@ fn an_orbit_with_jumps_has_no_corners() {
 fn titles_and_legends_name_what_is_drawn() {
     let has = |question: &str, text: &str| {
         let drawing = drawn(question, "--figure");
-        drawing.texts.iter().any(|it| it.content.contains(text))
+        drawing.texts.iter().any(|label| label.content.contains(text))
     };
     assert!(has("simulate|lorenz|--initial|x=1,y=1,z=1|--times|0:2:0.1", "Motion of Lorenz's"));
     let lengths = format!("fit|lengths|{EXAMPLES}/lengths_synthetic.csv|--amplitude|10deg");
@@ -594,7 +594,7 @@ fn parts_of_curves_that_bound_stability_have_their_own_look() {
     let [boundary, unstable] = [FIRST, THIRD].map(|colour| drawing.curves(0, colour));
     assert_eq!([boundary.len(), unstable.len()], [1, 1]);
     assert!(boundary[0].iter().all(|(d, _)| *d > 0.33) && unstable[0].iter().any(|(d, _)| *d < 0.3));
-    let is_joint = |place: &&Place| unstable[0].contains(place);
+    let is_joint = |point: &&Place| unstable[0].contains(point);
     assert_eq!(boundary[0].iter().filter(is_joint).count(), 1);
     let entry = |drawing: &Drawing| drawing.of_class("name").contains(&"stable equilibrium");
     assert!(entry(&drawing));
@@ -620,9 +620,9 @@ fn convergence_of_an_exponent() {
         numbers(&text(&format!("{question} --csv"))).iter().map(|row| (row[0], row[1])).collect();
     let curve = drawing.curves(0, FIRST).concat();
     assert_eq!(curve.len(), expected.len());
-    for (found, expected) in curve.iter().zip(expected) {
-        close(found.0 / expected.0, 1.0, 1e-3);
-        close(found.1, expected.1, 5e-3);
+    for (drawn, expected) in curve.iter().zip(expected) {
+        close(drawn.0 / expected.0, 1.0, 1e-3);
+        close(drawn.1, expected.1, 5e-3);
     }
 }
 
@@ -689,11 +689,11 @@ fn a_measured_swing_and_its_fit() {
 
 #[test]
 fn traces_of_one_picture_are_named() {
-    let place = directory("data-two-traces");
+    let folder = directory("data-two-traces");
     let rows = rows_of("swing");
     let file = |name: &str, first: usize| {
         let lines = rows[first..first + 300].iter().map(|row| format!("{},{}\n", row[0], row[1]));
-        let path = place.join(name);
+        let path = folder.join(name);
         fs::write(&path, format!("t (s),theta (deg)\n{}", lines.collect::<String>())).unwrap();
         path.display().to_string()
     };
@@ -755,7 +755,7 @@ fn each_value_of_a_parameter_has_its_motion() {
     let file = directory("data-over").join("figure.svg").display().to_string();
     let answer = json(&format!("{question} {file}"));
     let series = answer["series"].as_array().unwrap();
-    let labels: Vec<_> = series.iter().map(|it| it["label"].as_str().unwrap()).collect();
+    let labels: Vec<_> = series.iter().map(|curve| curve["label"].as_str().unwrap()).collect();
     assert_eq!(labels, ["c = 0", "c = 0.5"]);
     for (series, damping) in series.iter().zip([0.0, 0.5_f64]) {
         let points = series["points"].as_array().unwrap();

@@ -111,12 +111,12 @@ fn each_command_that_draws_writes_its_chart() {
         assert!(!panels.is_empty(), "{question}");
         panels.iter().for_each(|panel| is_whole(question, panel));
         let count =
-            |panel: &Value| list(&panel["series"]).iter().map(|it| list(&it["x"]).len()).sum::<usize>();
+            |panel: &Value| list(&panel["series"]).iter().map(|curve| list(&curve["x"]).len()).sum::<usize>();
         assert!(panels.iter().all(|panel| count(panel) > 0), "{question}");
     }
     for question in libration_queries::questions() {
         let draws = question.parameters.iter().any(|parameter| parameter.name == "figure");
-        let is_here = DRAWN.iter().any(|it| it.starts_with(&format!("{} ", question.words)));
+        let is_here = DRAWN.iter().any(|entry| entry.starts_with(&format!("{} ", question.words)));
         assert!(!draws || is_here, "{} draws, and its chart is not tested", question.words);
     }
 }
@@ -171,9 +171,9 @@ fn ends_agree(question: &str, panel: &Value, drawn: &Panel) {
         }
         let along = |value: f64| if axis["scale"] == "logarithmic" { value.log10() } else { value };
         let [from, to] = ["from", "to"].map(|end| along(number(&axis[end])));
-        for (found, expected) in [(found_from, from), (found_to, to)] {
-            let away = (along(found) - expected).abs() / (to - from);
-            assert!(away < 5e-3, "{question}: {found} {axis}");
+        for (seen, expected) in [(found_from, from), (found_to, to)] {
+            let away = (along(seen) - expected).abs() / (to - from);
+            assert!(away < 5e-3, "{question}: {seen} {axis}");
         }
     }
 }
@@ -193,18 +193,19 @@ fn the_svg_draws_what_the_chart_has() {
             }
             name
         };
-        let new = |(place, panel): (usize, &Value)| {
+        let new = |(index, panel): (usize, &Value)| {
             let above: Vec<Value> =
-                panels[..place].iter().flat_map(|it| list(&it["series"])).map(name).collect();
-            let own = list(&panel["series"]).iter().map(name);
-            own.filter(|own| !above.contains(own)).collect::<Vec<Value>>()
+                panels[..index].iter().flat_map(|other| list(&other["series"])).map(name).collect();
+            let names = list(&panel["series"]).iter().map(name);
+            names.filter(|label| !above.contains(label)).collect::<Vec<Value>>()
         };
         let labels: Vec<Value> = panels.iter().enumerate().flat_map(new).collect();
-        let labels = labels.iter().map(|it| it["label"].as_str().unwrap()).filter(|it| !it.is_empty());
+        let labels =
+            labels.iter().map(|curve| curve["label"].as_str().unwrap()).filter(|label| !label.is_empty());
         let words = |text: &str| text.replace([' ', '\u{a0}', '\n'], "");
         let labels: String = labels.map(words).collect();
         assert_eq!(labels, drawing.of_class("name").into_iter().map(words).collect::<String>(), "{question}");
-        for (place, (panel, drawn)) in panels.iter().zip(&drawing.panels).enumerate() {
+        for (index, (panel, drawn)) in panels.iter().zip(&drawing.panels).enumerate() {
             ends_agree(question, panel, drawn);
             for series in list(&panel["series"]) {
                 let colour = series["colour"].as_str().unwrap();
@@ -215,13 +216,13 @@ fn the_svg_draws_what_the_chart_has() {
                     let same =
                         |value: &&Value| value["colour"] == series["colour"] && value["mark"] == "line";
                     let all: Vec<_> = list(&panel["series"]).iter().filter(same).map(canvas).collect();
-                    let drawn = drawing.on_canvas(place, "curve", colour).concat();
+                    let drawn = drawing.on_canvas(index, "curve", colour).concat();
                     let step = 1 + drawn.len() / 200;
                     for at in drawn.into_iter().step_by(step) {
                         assert!(distance(&all, at) < NEAR, "{question}: {at:?} is not on the curve");
                     }
                 } else if series["mark"] != "band" {
-                    let markers = drawing.on_canvas(place, "markers", colour);
+                    let markers = drawing.on_canvas(index, "markers", colour);
                     let markers: Vec<Place> = markers.iter().map(|shape| middle(shape)).collect();
                     for at in canvas(series).into_iter().filter(|at| holds(drawn, *at)) {
                         assert!(
@@ -240,9 +241,9 @@ fn error_bars_are_uncertainties() {
     let mut bars = 0;
     for question in DRAWN {
         let (chart, drawing) = (chart(question), Drawing::read(&written(question, "svg")));
-        for (place, (panel, drawn)) in list(&chart["panels"]).iter().zip(&drawing.panels).enumerate() {
-            let corners: Vec<Place> = drawing.bars(place).copied().collect();
-            for series in list(&panel["series"]).iter().filter(|it| it["mark"] != "band") {
+        for (index, (panel, drawn)) in list(&chart["panels"]).iter().zip(&drawing.panels).enumerate() {
+            let corners: Vec<Place> = drawing.bars(index).copied().collect();
+            for series in list(&panel["series"]).iter().filter(|series| series["mark"] != "band") {
                 let Some(halves) = series.get("y_uncertainty") else { continue };
                 for ((x, y), half) in points(series).into_iter().zip(list(halves)) {
                     let ends =
@@ -315,26 +316,26 @@ fn a_motion_in_both_directions_is_drawn() {
 
 #[test]
 fn pictures_of_periods_harmonics_and_plans_have_the_numbers_of_their_results() {
-    let found = json("period 30deg 170deg");
+    let periods = json("period 30deg 170deg");
     let chart_of_periods = chart("period 30deg 170deg");
     let markers = points(&list(&chart_of_periods["panels"][0]["series"])[2]);
-    for (row, (degrees, period)) in list(&found["results"]).iter().zip(markers) {
+    for (row, (degrees, period)) in list(&periods["results"]).iter().zip(markers) {
         assert!((number(&row["amplitude_rad"]).to_degrees() - degrees).abs() < 1e-12);
         assert_eq!(number(&row["period_s"]).to_bits(), period.to_bits());
     }
-    let found = json("fourier 170deg");
+    let harmonics = json("fourier 170deg");
     let velocity = chart("fourier 170deg");
     let velocity = points(&list(&velocity["panels"][0]["series"])[3]);
-    assert_eq!(velocity.len(), list(&found["harmonics"]).len());
-    for (term, (n, size)) in list(&found["harmonics"]).iter().zip(velocity) {
+    assert_eq!(velocity.len(), list(&harmonics["harmonics"]).len());
+    for (term, (n, size)) in list(&harmonics["harmonics"]).iter().zip(velocity) {
         assert_eq!(number(&term["n"]).to_bits(), n.to_bits());
         assert_eq!(number(&term["velocity_rad_per_s"]).abs().to_bits(), size.to_bits());
     }
     let question = "plan --g-to 1e-3 --length 1.00(1)m --angle-noise 0.2deg --rate 60";
-    let (found, chart) = (json(question), chart(question));
+    let (answer, chart) = (json(question), chart(question));
     let series = list(&chart["panels"][0]["series"]);
-    let total = series.iter().find(|it| it["label"] == "total").unwrap();
-    for (choice, (_, part)) in list(&found["choices"]).iter().zip(points(total)) {
+    let total = series.iter().find(|curve| curve["label"] == "total").unwrap();
+    for (choice, (_, part)) in list(&answer["choices"]).iter().zip(points(total)) {
         assert_eq!(number(&choice["total"]).to_bits(), part.to_bits());
     }
     let output = libration("period 60deg --figure /nowhere/a.json");

@@ -59,14 +59,14 @@ fn names_stand_at_their_curves_or_in_the_legend() {
                 .map(|text| text.extent())
                 .collect();
             inside += at_curves.len();
-            for (place, extent) in at_curves.iter().enumerate() {
+            for (index, extent) in at_curves.iter().enumerate() {
                 let touches = |other: &[f64; 4]| {
                     extent[0] < other[2]
                         && other[0] < extent[2]
                         && extent[1] < other[3]
                         && other[1] < extent[3]
                 };
-                assert!(!at_curves[..place].iter().any(touches), "{question}: names touch");
+                assert!(!at_curves[..index].iter().any(touches), "{question}: names touch");
                 assert!(!drawing.is_crossed(number, *extent), "{question}: a curve runs through a name");
             }
         }
@@ -108,7 +108,7 @@ fn the_panel_near_the_top_reaches_it() {
     let file = directory("layout-top").join("picture.svg").display().to_string();
     let answer = json(&format!("figure errors --formulas butikov,bernoulli --near-top --output {file}"));
     let series = answer["series"].as_array().unwrap();
-    assert_eq!(series.iter().map(|it| it["panel"].as_u64().unwrap()).collect::<Vec<_>>(), [1, 1, 2, 2]);
+    assert_eq!(series.iter().map(|row| row["panel"].as_u64().unwrap()).collect::<Vec<_>>(), [1, 1, 2, 2]);
     let points = series[2]["points"].as_array().unwrap();
     let mut checked = 0;
     for point in points {
@@ -146,8 +146,8 @@ fn a_family_of_formulas_has_one_colour() {
         .collect();
     let same = |a: usize, b: usize| looks[a].0 == looks[b].0;
     assert!(same(0, 2) && same(0, 3) && same(4, 5) && !same(0, 1) && !same(0, 4) && !same(1, 4), "{looks:?}");
-    for (place, look) in looks.iter().enumerate() {
-        assert!(!looks[..place].contains(look), "{looks:?}");
+    for (index, look) in looks.iter().enumerate() {
+        assert!(!looks[..index].contains(look), "{looks:?}");
     }
 }
 

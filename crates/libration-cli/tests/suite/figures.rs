@@ -98,7 +98,7 @@ fn nothing_hides_the_exact_curve_or_the_data() {
     let curves: Vec<&str> = svg.split("<path class=\"curve\" ").skip(1).collect();
     let colour = |curve: &str| curve.split_once("stroke=\"").unwrap().1[..7].to_owned();
     // Wide beneath the other curves and thin above them.
-    assert_eq!([0, 3].map(|place| colour(curves[place])), ["#0072B2", "#0072B2"]);
+    assert_eq!([0, 3].map(|index| colour(curves[index])), ["#0072B2", "#0072B2"]);
     assert!(curves[0].contains("stroke-opacity") && !curves[3].contains("stroke-opacity"));
     let examples = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
     for fit in ["periods", "lengths", "trace"] {
@@ -205,8 +205,8 @@ fn a_parameter_is_refused_in_the_name_of_its_option() {
         ] {
             let output = libration(&format!("{question} {values}"));
             assert_eq!(output.status.code(), Some(2));
-            let found = message(&output);
-            assert!(found.starts_with(&format!("error: {option}: ")), "{question} {values}: {found}");
+            let written = message(&output);
+            assert!(written.starts_with(&format!("error: {option}: ")), "{question} {values}: {written}");
         }
     }
 }

@@ -137,10 +137,10 @@ fn streams_are_written_into() {
             && fs::read_dir(&directory).unwrap().count() == 1
     );
     let plain = libration("simulate pendulum --initial theta=1 --times 0:2:1 --csv").stdout;
-    for place in ["-", "/dev/stdout", "/dev/fd/1"] {
+    for target in ["-", "/dev/stdout", "/dev/fd/1"] {
         let output =
-            libration(&format!("simulate pendulum --initial theta=1 --times 0:2:1 --csv --output {place}"));
-        assert!(output.status.success() && output.stdout == plain, "{place}: {}", message(&output));
+            libration(&format!("simulate pendulum --initial theta=1 --times 0:2:1 --csv --output {target}"));
+        assert!(output.status.success() && output.stdout == plain, "{target}: {}", message(&output));
     }
     let picture = libration("figure spectrum --output -");
     assert!(

@@ -55,7 +55,7 @@ fn sections_diagrams_and_exponents_take_them() {
     // At 20 the motion crosses the surface once before it comes to rest: not a point of the diagram.
     let points = json(&diagram("r=20:28:8"))["points"].clone();
     assert_eq!(points.as_array().unwrap().len(), 2, "{points}");
-    assert!(points.as_array().unwrap().iter().all(|it| it["value"] == 28.0), "{points}");
+    assert!(points.as_array().unwrap().iter().all(|point| point["value"] == 28.0), "{points}");
     // Where there is nothing to draw no file is written.
     let picture = std::env::temp_dir().join(format!("libration-no-points-{}.svg", std::process::id()));
     let nothing = run(&[&diagram("r=20:22:1")[..], &["--figure", picture.to_str().unwrap()]].concat());

@@ -27,12 +27,12 @@ fn the_example_of_amplitudes_gives_its_truth_back() {
         (&30.into(), &"both".into(), &"time".into())
     );
     assert_eq!(answer["law"], "linear+quadratic");
-    let [linear, quadratic] = [0, 1].map(|place| &answer["coefficients"][place]);
+    let [linear, quadratic] = [0, 1].map(|index| &answer["coefficients"][index]);
     assert!(pull(linear, "coefficient", 0.012) < 3.0 && linear["unit"] == "1/s", "{linear}");
     assert!(pull(quadratic, "coefficient", 0.015) < 3.0 && quadratic["unit"] == "1/rad", "{quadratic}");
     assert!(pull(&answer, "zero", 0.8_f64.to_radians()) < 3.0);
-    let omega0 =
-        [&answer["omega0_rad_per_s"], &answer["omega0_uncertainty_rad_per_s"]].map(|it| it.as_f64().unwrap());
+    let omega0 = [&answer["omega0_rad_per_s"], &answer["omega0_uncertainty_rad_per_s"]]
+        .map(|value| value.as_f64().unwrap());
     assert!((omega0[0] - 4.43).abs() < 3.0 * omega0[1], "{omega0:?}");
     assert!(answer["log_decrement"].is_null() && answer["quality_amplitude"].as_f64().unwrap() > 0.6);
     assert!(answer["told_from_file"].to_string().contains("turning points of both sides (--sides one"));
@@ -58,9 +58,9 @@ fn what_is_missing_for_q_is_named() {
     assert!((answer["coefficients"][0]["coefficient"].as_f64().unwrap() - 0.04).abs() < 1e-6);
     // ω0² = (2π/T)² + γ².
     let truth = (std::f64::consts::TAU / 1.25).hypot(0.02) / 0.04;
-    let known = json(&format!("fit amplitudes {times} --period 1.25s"));
-    assert!((known["quality"].as_f64().unwrap() - truth).abs() < 1e-3, "{known}");
-    assert!((known["log_decrement"].as_f64().unwrap() - 0.025).abs() < 1e-6);
+    let with_period = json(&format!("fit amplitudes {times} --period 1.25s"));
+    assert!((with_period["quality"].as_f64().unwrap() - truth).abs() < 1e-3, "{with_period}");
+    assert!((with_period["log_decrement"].as_f64().unwrap() - 0.025).abs() < 1e-6);
     let swings = file("amplitudes-swings", &exponential("n,A (cm)", |swings| swings));
     let counted = json(&format!("fit amplitudes {swings}"));
     assert!((counted["quality"].as_f64().unwrap() - truth).abs() < 1e-3, "{counted}");

@@ -167,8 +167,8 @@ fn the_length_counts_once_where_the_speeds_of_a_gate_need_it_too() {
     let r = number(&answer["budget_correlations"][0], "coefficient");
     let by_times = number(period, "contribution_m_per_s2") * (1.0 - r * r).sqrt();
     let expected = by_length.hypot(by_times);
-    let found = number(&answer, "gravity_uncertainty_m_per_s2");
-    assert!((found / expected - 1.0).abs() < 0.02, "{found} {expected}");
+    let computed = number(&answer, "gravity_uncertainty_m_per_s2");
+    assert!((computed / expected - 1.0).abs() < 0.02, "{computed} {expected}");
     let elsewhere = json(&format!(
         "fit gates {gate} --length 0.958m±0.01m --diameter 25mm±0mm --gate-distance 0.958m±0m"
     ));

@@ -40,7 +40,7 @@ fn the_shape_of_a_bob_is_one_option_of_every_fit_of_one_length() {
             ("gyration:radius=4cm", 0.0016),
         ] {
             // A round bob blocks the gate, which then gives amplitudes and another T0.
-            if fit.contains("gates") && (0..3).any(|it| bob.starts_with(["ball", "disc", "ring"][it])) {
+            if fit.contains("gates") && (0..3).any(|index| bob.starts_with(["ball", "disc", "ring"][index])) {
                 continue;
             }
             let answer = json(&format!("{fit} --bob {bob}"));

@@ -120,7 +120,7 @@ fn the_example_of_a_gate_gives_its_truth_back() {
 #[test]
 fn passages_are_found_in_continuous_signals() {
     let period = std::f64::consts::TAU / 3.2;
-    for (name, column, amplitude, found) in
+    for (name, column, amplitude, events) in
         [("light", "2", "0.2", "20 dips of column 2"), ("acceleration", "3", "0.35", "20 peaks of column 3")]
     {
         let signal = example(&format!("{name}_synthetic.csv"));
@@ -135,7 +135,7 @@ fn passages_are_found_in_continuous_signals() {
         assert!(pull(&answer, "gravity_m_per_s2", "gravity_uncertainty_m_per_s2", 9.81) < 3.0, "{answer}");
         assert_eq!(answer["missed_passages"], 0);
         let findings = answer["told_from_file"].to_string();
-        assert!(findings.contains(found), "{findings}");
+        assert!(findings.contains(events), "{findings}");
     }
     let across =
         message(&libration(&format!("fit gates {} --signal 2", example("acceleration_synthetic.csv"))));
@@ -234,11 +234,11 @@ fn uncertainties_may_have_a_unit_of_their_own() {
         let line = |(length, period)| format!("{length},{period},{of_length},0.001\n");
         format!("{header}\n{}", swings(1.0).into_iter().map(line).collect::<String>())
     };
-    let own = file("lengths-own", &table("L (cm),T (s),sigma_L (mm),sigma_T", 2.0));
+    let of_headings = file("lengths-own", &table("L (cm),T (s),sigma_L (mm),sigma_T", 2.0));
     let same = file("lengths-same", &table("L (cm),T (s),sigma_L,sigma_T", 0.2));
     let spread =
         |table: &str| json(&format!("fit lengths {table}"))["gravity_uncertainty_m_per_s2"].as_f64().unwrap();
-    assert!((spread(&own) / spread(&same) - 1.0).abs() < 1e-9);
+    assert!((spread(&of_headings) / spread(&same) - 1.0).abs() < 1e-9);
 }
 
 /// Names and units in the header count for more than the order of the columns, and less than an option.
@@ -263,7 +263,7 @@ fn uncertainties_beside_their_values_are_told_from_the_header() {
     let table = |name: &str, header: &str, order: [usize; 4]| {
         let line = |(length, period): (f64, f64)| {
             let cells = [length, period, 0.2, 0.001];
-            order.map(|place| cells[place].to_string()).join(",") + "\n"
+            order.map(|column| cells[column].to_string()).join(",") + "\n"
         };
         file(name, &format!("{header}\n{}", swings(1.0).into_iter().map(line).collect::<String>()))
     };
@@ -308,8 +308,8 @@ fn headers_say_how_many_periods_a_time_lasts() {
         let name = name.replace('/', "-");
         let answer = json(&format!("fit periods {} {options}", periods(&name, header, count)));
         for (field, expected) in [("t0_s", t0), ("t0_uncertainty_s", spread)] {
-            let found = of(&answer, field);
-            assert!((found / expected - 1.0).abs() < 1e-12, "{header}: {field} {found} {expected}");
+            let computed = of(&answer, field);
+            assert!((computed / expected - 1.0).abs() < 1e-12, "{header}: {field} {computed} {expected}");
         }
         let told = answer["told_from_file"].to_string();
         assert!(told.contains("period"), "{header}: {told}");

@@ -10,15 +10,15 @@ fn example(name: &str) -> String {
 
 /// Each fit of a table with a headline of its report and a sentence of its method.
 fn fits() -> [(String, &'static str, &'static str); 7] {
-    let place = "--latitude 48.1deg --elevation 520m";
+    let location = "--latitude 48.1deg --elevation 520m";
     [
         (
-            format!("fit periods {} --length 0.994m±1mm {place}", example("period_table_synthetic.csv")),
+            format!("fit periods {} --length 0.994m±1mm {location}", example("period_table_synthetic.csv")),
             "g = ",
             "follows exactly from the elliptic integral",
         ),
         (
-            format!("fit lengths {} {place}", example("lengths_synthetic.csv")),
+            format!("fit lengths {} {location}", example("lengths_synthetic.csv")),
             "g = ",
             "straight line of slope",
         ),
@@ -26,7 +26,7 @@ fn fits() -> [(String, &'static str, &'static str); 7] {
         (format!("fit lengths {}", example("class/groups.csv")), "g = ", "straight line of slope"),
         (
             format!(
-                "fit gates {} --amplitude 0.9 --length 0.958m±1mm {place}",
+                "fit gates {} --amplitude 0.9 --length 0.958m±1mm {location}",
                 example("gate_synthetic.csv")
             ),
             "g = ",

@@ -38,9 +38,9 @@ fn the_truth_of_a_synthetic_swing_is_found() {
         ("velocity0", 0.0, 1e-2, "rad/s"),
     ];
     for (name, truth, most, unit) in truths {
-        let found = parameter(&answer, name);
-        agrees(&found["value"], &found["uncertainty"], truth, most);
-        assert_eq!(found["unit"], unit);
+        let fitted = parameter(&answer, name);
+        agrees(&fitted["value"], &fitted["uncertainty"], truth, most);
+        assert_eq!(fitted["unit"], unit);
     }
     agrees(&answer["beta"], &answer["beta_uncertainty"], 1.0, 0.02);
     agrees(&answer["gravity_m_per_s2"], &answer["gravity_uncertainty_m_per_s2"], 9.81, 0.04);
@@ -493,8 +493,8 @@ fn doubts_are_raised_by_the_data_that_deserve_them() {
         ("stated_uncertainties", &stated("fit-trace-too-sure", 0.05), "linear"),
         ("stated_uncertainties", &stated("fit-trace-too-unsure", 0.6), "linear"),
     ] {
-        let found = kinds(&format!("fit trace {swing} --model {model}"));
-        assert!(found.iter().any(|one| one == kind), "{kind}: {found:?}");
+        let warnings = kinds(&format!("fit trace {swing} --model {model}"));
+        assert!(warnings.iter().any(|one| one == kind), "{kind}: {warnings:?}");
         assert!(!usual.iter().any(|one| one == kind), "{kind}: {usual:?}");
     }
     // Uniform errors of ±0.3° have a standard deviation of 0.17°.
@@ -504,8 +504,8 @@ fn doubts_are_raised_by_the_data_that_deserve_them() {
         ("not_converged", format!("fit trace {narrow} --model linear")),
         ("better_model_not_believed", format!("fit trace {usual_swing}")),
     ] {
-        let found = kinds(&question);
-        assert!(!found.iter().any(|one| one == kind), "{kind}: {found:?}");
+        let warnings = kinds(&question);
+        assert!(!warnings.iter().any(|one| one == kind), "{kind}: {warnings:?}");
     }
 }
 

@@ -74,7 +74,7 @@ fn harmonics_of_a_swing_stand_beside_those_of_the_pendulum() {
     let trace = &answer["traces"][0];
     let number = |value: &serde_json::Value| value.as_f64().unwrap();
     assert_eq!((&trace["unit"], trace["windows"].as_array().unwrap().len()), (&"rad".into(), 2));
-    let [first, last] = [0, 1].map(|place| trace["windows"][place].clone());
+    let [first, last] = [0, 1].map(|index| trace["windows"][index].clone());
     assert!(number(&first["amplitude_rad"]) > number(&last["amplitude_rad"]));
     assert!(number(&first["frequency_hz"]) < number(&last["frequency_hz"]));
     let third = &trace["harmonics"][3];

@@ -30,13 +30,13 @@ fn refusal(arguments: &[&str], status: i32) -> String {
 #[test]
 fn parameters_without_a_value_stay_letters() {
     // A. H. Nayfeh, D. T. Mook, Nonlinear Oscillations, section 2.3.
-    let it = answer(&[MIXED, "--order", "3"]);
-    assert_eq!(list(&it["letters"]), ["a", "b", "w"]);
-    assert_eq!((it["omega0_squared"].as_str(), it["omega0"].as_str()), (Some("w^2"), Some("w")));
-    assert_eq!(list(&it["frequency_ratio"]), ["1", "0", "3*b/(8*w^2) - 5*a^2/(12*w^4)"]);
-    assert_eq!(list(&it["angular_frequency"]), ["w", "0", "3*b/(8*w) - 5*a^2/(12*w^3)"]);
-    assert_eq!(list(&it["harmonics"]["2"]["cos"]), ["0", "0", "a/(6*w^2)", "0"]);
-    assert_eq!((&it["certified"], &it["certificate"]), (&true.into(), &"potential".into()));
+    let series = answer(&[MIXED, "--order", "3"]);
+    assert_eq!(list(&series["letters"]), ["a", "b", "w"]);
+    assert_eq!((series["omega0_squared"].as_str(), series["omega0"].as_str()), (Some("w^2"), Some("w")));
+    assert_eq!(list(&series["frequency_ratio"]), ["1", "0", "3*b/(8*w^2) - 5*a^2/(12*w^4)"]);
+    assert_eq!(list(&series["angular_frequency"]), ["w", "0", "3*b/(8*w) - 5*a^2/(12*w^3)"]);
+    assert_eq!(list(&series["harmonics"]["2"]["cos"]), ["0", "0", "a/(6*w^2)", "0"]);
+    assert_eq!((&series["certified"], &series["certificate"]), (&true.into(), &"potential".into()));
 }
 
 #[test]
@@ -51,9 +51,9 @@ fn values_replace_some_letters_and_no_letters_are_left_where_all_have_one() {
 
 #[test]
 fn parameters_of_built_in_oscillators_stay_letters_when_they_are_named() {
-    let it = json("expand cubic_quintic --letters alpha,beta --order 5");
-    assert_eq!(it["parameters"], serde_json::json!({}));
-    assert_eq!(list(&it["frequency_ratio"])[4], "5*beta/16 - 15*alpha^2/256");
+    let series = json("expand cubic_quintic --letters alpha,beta --order 5");
+    assert_eq!(series["parameters"], serde_json::json!({}));
+    assert_eq!(list(&series["frequency_ratio"])[4], "5*beta/16 - 15*alpha^2/256");
     let one = json("expand cubic_quintic --letters beta --set alpha=1/2 --order 5");
     assert_eq!((one["parameters"]["alpha"].as_str(), list(&one["letters"])), (Some("1/2"), vec!["beta"]));
     let greek = answer(&["pendulum", "--letters", "ω0", "--order", "3"]);
@@ -114,10 +114,10 @@ fn letters_are_written_in_every_form() {
     assert!(bent.contains("about x = sqrt(a)/sqrt(b), where ω0² = 2*a"), "{bent}");
     assert!(bent.contains("x_max = ε x_min"), "{bent}");
     // The values of parameters apply to the equilibrium too.
-    let place = ["x'' = a*x - b*x^3", "--about", "sqrt(a/b)", "--set", "a=4", "--order", "3"];
-    assert_eq!(answer(&place)["equilibrium"], "2/sqrt(b)");
-    let place = answer(&[&place[..], &["--set", "b=9"]].concat());
-    assert_eq!((&place["equilibrium"], &place["letters"]), (&"2/3".into(), &Value::Array(vec![])));
+    let question = ["x'' = a*x - b*x^3", "--about", "sqrt(a/b)", "--set", "a=4", "--order", "3"];
+    assert_eq!(answer(&question)["equilibrium"], "2/sqrt(b)");
+    let series = answer(&[&question[..], &["--set", "b=9"]].concat());
+    assert_eq!((&series["equilibrium"], &series["letters"]), (&"2/3".into(), &Value::Array(vec![])));
 }
 
 #[test]
@@ -145,9 +145,9 @@ fn what_letters_cannot_say_is_refused() {
 
 #[test]
 fn constants_that_no_product_of_letters_is_are_named_and_explained() {
-    let it = answer(&["x'' + sqrt(2)*x + a*x^3 + pi*x^5 = 0", "--order", "5"]);
-    assert_eq!(it["constants"], serde_json::json!({"c1": "sqrt(2)"}));
-    assert_eq!(list(&it["frequency_ratio"])[4], "5*pi/(16*c1) - 15*a^2/(256*c1^2)");
+    let series = answer(&["x'' + sqrt(2)*x + a*x^3 + pi*x^5 = 0", "--order", "5"]);
+    assert_eq!(series["constants"], serde_json::json!({"c1": "sqrt(2)"}));
+    assert_eq!(list(&series["frequency_ratio"])[4], "5*pi/(16*c1) - 15*a^2/(256*c1^2)");
     let said = words(&["x'' + sqrt(2)*x + a*x^3 = 0", "--order", "3"]);
     assert!(
         said.contains("where ω0² = c1, so that ω0 = sqrt(c1) for positive symbols, with c1 = sqrt(2)"),

@@ -212,12 +212,14 @@ fn a_plan_and_its_text_answer_chunks_alike() {
     let read = SweepPlan::from_json(&plan.to_json()).unwrap();
     assert_eq!((&read, read.to_json()), (&plan, plan.to_json()));
     for chunk in 0..3 {
-        let [one, other] = [&plan, &read].map(|it| it.answers(chunk, Arc::new(Memory::default())).unwrap());
+        let [one, other] =
+            [&plan, &read].map(|sweep| sweep.answers(chunk, Arc::new(Memory::default())).unwrap());
         // Text is compared, because NaN differs from itself.
         assert_eq!(format!("{one:?}"), format!("{other:?}"));
         assert_eq!(one.status, [0, 2], "an initial angle x is not understood");
         assert!(
-            one.numbers[..2].iter().all(|it| it.is_finite()) && one.numbers[2..].iter().all(|it| it.is_nan())
+            one.numbers[..2].iter().all(|number| number.is_finite())
+                && one.numbers[2..].iter().all(|number| number.is_nan())
         );
         assert!(one.messages[0].is_empty() && one.messages[1].contains("--initial"), "{:?}", one.messages);
     }
@@ -274,7 +276,12 @@ fn motions_that_go_on_together_are_those_of_the_program() {
     answered.unwrap();
     let answer: Value = serde_json::from_slice(&host.answer.lock().unwrap()).unwrap();
     let numbers = |motion: &Value| -> Vec<f64> {
-        motion["samples"][0]["state"].as_array().unwrap().iter().map(|it| it.as_f64().unwrap()).collect()
+        motion["samples"][0]["state"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|component| component.as_f64().unwrap())
+            .collect()
     };
     let expected: Vec<f64> = answer["motions"].as_array().unwrap().iter().flat_map(numbers).collect();
     assert_eq!(followed.states_at(1.5, &Quiet).unwrap(), expected);

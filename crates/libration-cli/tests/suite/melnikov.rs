@@ -13,7 +13,7 @@ fn thresholds_are_found_over_a_parameter() {
     let thresholds = answer["thresholds"].as_array().unwrap();
     assert_eq!(thresholds.len(), 2);
     // (4c/π)·cosh(πΩ/2) by mpmath.
-    let value = |it: &Value| it["value"].as_f64().unwrap();
+    let value = |number: &Value| number["value"].as_f64().unwrap();
     assert!(thresholds.iter().all(|threshold| (value(threshold) - 0.203_754_851_014_665_07).abs() < 1e-15));
     assert_eq!((&answer["parameter"], value(&answer)), (&"A".into(), value(&thresholds[0])));
     // From two manifolds in 150-bit floats.

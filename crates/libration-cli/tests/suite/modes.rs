@@ -112,10 +112,10 @@ fn the_backbone_of_the_pendulum_has_three_roads() {
 fn a_force_without_a_linear_part_has_orbits_only() {
     let answer = json_of(&["backbone", "x'' = -x^3", "--amplitudes", "0.5,2"]);
     assert!(answer["no_series"].as_str().is_some() && answer["omega0_rad_per_s"] == Value::Null);
-    for (place, amplitude) in [0.5, 2.0].into_iter().enumerate() {
+    for (index, amplitude) in [0.5, 2.0].into_iter().enumerate() {
         // Γ(1/4)²/√π.
         let frequency = std::f64::consts::TAU * amplitude / 7.416_298_709_205_487_7;
-        close(&answer["points"][place]["angular_frequency_rad_per_s"], frequency, 1e-14);
+        close(&answer["points"][index]["angular_frequency_rad_per_s"], frequency, 1e-14);
     }
     // Beyond the barrier there is no orbit, and the table continues.
     let csv = text("backbone duffing_soft --amplitudes 0.9,1.1 --csv");

@@ -145,8 +145,8 @@ fn the_angle_is_the_sum_of_its_harmonics_at_the_start() {
 fn a_time_whose_phase_is_not_known_has_no_state_and_a_note_says_why() {
     // 2⁹⁷ periods of 2.0413384658583684 s are 3.2346e29 s.
     let answer = json("motion 30deg --times 3.23e29,3.24e29");
-    let [known, unknown] = [&answer["samples"][0], &answer["samples"][1]];
-    assert!(known["angle_rad"].is_number() && known.get("note").is_none(), "{known}");
+    let [near, unknown] = [&answer["samples"][0], &answer["samples"][1]];
+    assert!(near["angle_rad"].is_number() && near.get("note").is_none(), "{near}");
     assert!(unknown["angle_rad"].is_null() && unknown["velocity_rad_per_s"].is_null(), "{unknown}");
     assert!(unknown["note"].as_str().unwrap().contains("the phase is not known"), "{unknown}");
     assert!(

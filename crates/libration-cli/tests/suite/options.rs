@@ -63,9 +63,9 @@ fn helps() -> BTreeMap<String, BTreeSet<String>> {
 #[test]
 fn an_option_has_one_meaning_in_all_queries() {
     let several = helps().into_iter().filter(|(_, helps)| helps.len() > 1);
-    let found: Vec<String> = several.map(|(name, _)| name).collect();
+    let names: Vec<String> = several.map(|(name, _)| name).collect();
     let expected: Vec<&str> = SHARED.iter().map(|(name, _)| *name).collect();
-    assert_eq!(found, expected, "options with several helps, and those whose common meaning is stated");
+    assert_eq!(names, expected, "options with several helps, and those whose common meaning is stated");
 }
 
 #[test]

@@ -26,7 +26,7 @@ fn every_equation_of_both_documents_has_a_row() {
         }
         let verdict = row["verdict"].as_str().unwrap();
         assert!(
-            ["verified", "typo", "wrong", "not decided"].iter().any(|known| verdict.starts_with(known)),
+            ["verified", "typo", "wrong", "not decided"].iter().any(|word| verdict.starts_with(word)),
             "{verdict}"
         );
     }

@@ -64,7 +64,7 @@ fn operations(content: &[u8]) -> Vec<(Vec<Vec<u8>>, String)> {
             b'<' => {
                 let end = at + content[at..].iter().position(|byte| *byte == b'>').unwrap();
                 let digits = std::str::from_utf8(&content[at + 1..end]).unwrap();
-                let byte = |place: usize| u8::from_str_radix(&digits[place..place + 2], 16).unwrap();
+                let byte = |position: usize| u8::from_str_radix(&digits[position..position + 2], 16).unwrap();
                 operands.push((0..digits.len()).step_by(2).map(byte).collect());
                 at = end + 1;
             }
@@ -132,8 +132,8 @@ fn a_pdf_has_the_lines_of_the_svg() {
         let mut drawn: Vec<Place> = vec![];
         for (operands, operator) in operations(content) {
             if ["m", "l"].contains(&operator.as_str()) {
-                let place = numbers(&operands);
-                drawn.push((place[0], place[1]));
+                let position = numbers(&operands);
+                drawn.push((position[0], position[1]));
             }
         }
         drawn.dedup();
@@ -174,12 +174,12 @@ fn the_words_of_a_pdf_are_text_in_a_font_of_their_letters() {
         assert_eq!(letters.values().copied().collect::<BTreeSet<char>>(), used, "{question}");
         // All letters of the command take 60 900 bytes.
         assert!(font.starts_with(&[0, 1, 0, 0]) && font.len() < 20_000, "{question}: {}", font.len());
-        for (text, place) in svg.texts.iter().zip(places) {
+        for (text, matrix) in svg.texts.iter().zip(places) {
             let [left, _, _, bottom] = text.extent();
             // A turned text begins at its lower end.
-            let is_level = place[0] > 0.5;
-            let apart = if is_level { place[4] - left } else { place[5] - bottom }.abs();
-            assert!(apart < 0.02, "{question}: {text:?} at {place:?}");
+            let is_level = matrix[0] > 0.5;
+            let apart = if is_level { matrix[4] - left } else { matrix[5] - bottom }.abs();
+            assert!(apart < 0.02, "{question}: {text:?} at {matrix:?}");
         }
     }
 }

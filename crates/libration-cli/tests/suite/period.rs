@@ -74,7 +74,7 @@ fn every_row_of_a_range_has_the_right_values_and_every_formula() {
     let names: Vec<&str> = table.lines().next().unwrap().split(',').collect();
     let keys = json("period 60deg")["results"][0]["formulas"].as_array().unwrap().len();
     assert_eq!(names.len(), 8 + 2 * keys);
-    let column = |name: &str| names.iter().position(|found| *found == name).unwrap();
+    let column = |name: &str| names.iter().position(|header| *header == name).unwrap();
     let t0 = std::f64::consts::TAU / 9.80665_f64.sqrt();
     let rows: Vec<&str> = table.lines().skip(1).collect();
     assert_eq!(rows.len(), 179);
@@ -95,9 +95,12 @@ fn every_row_of_a_range_has_the_right_values_and_every_formula() {
             ("bernoulli_ratio", bernoulli),
         ];
         for (name, value) in expected {
-            let found = cells[column(name)];
+            let computed = cells[column(name)];
             // Ten steps of the mean in `f64`, and the cosine next to 180°.
-            assert!((found - value).abs() <= 1e-13 * value, "{name} at {degrees}°: {found} is not {value}");
+            assert!(
+                (computed - value).abs() <= 1e-13 * value,
+                "{name} at {degrees}°: {computed} is not {value}"
+            );
         }
         let error = cells[column("bernoulli_fractional_error")];
         assert!((error - (bernoulli / exact - 1.0)).abs() < 1e-13, "{degrees}°: {error}");

@@ -39,7 +39,7 @@ fn equations_with_symbols_have_their_slow_flow_as_formulas() {
     let ask = |further: &[&str]| run(&[&["resonance", coupled, "--json"], further].concat());
     let answer: serde_json::Value = serde_json::from_slice(&ask(&["--ratios", "1:2"]).stdout).unwrap();
     assert_eq!(answer["small_orders"], serde_json::json!({"eps": 1}));
-    let [x, y] = [0, 1].map(|place| &answer["coordinates"][place]);
+    let [x, y] = [0, 1].map(|index| &answer["coordinates"][index]);
     assert_eq!(x["slow_flow"]["amplitude"], "eps*a*A_x*A_y/(4*w1)*sin(2*phi_x - phi_y)");
     assert_eq!(y["slow_flow"]["amplitude"], "-eps*b*A_x^2/(8*w1)*sin(2*phi_x - phi_y)");
     assert_eq!(y["frequency_difference"], "eps*sigma_y");

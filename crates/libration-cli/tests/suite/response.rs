@@ -27,12 +27,12 @@ fn a_response_has_the_fields_of_the_contract() {
             .as_array()
             .unwrap()
             .iter()
-            .map(|it| it[0].as_f64().unwrap().hypot(it[1].as_f64().unwrap()));
+            .map(|parts| parts[0].as_f64().unwrap().hypot(parts[1].as_f64().unwrap()));
         let is_attracting = sizes.fold(0.0, f64::max) < 1.0;
         assert_eq!(point["stability"], if is_attracting { "attracting" } else { "unstable" });
     }
     let special = branch["special"].as_array().unwrap();
-    let folds: Vec<&Value> = special.iter().filter(|it| it["kind"] == "fold").collect();
+    let folds: Vec<&Value> = special.iter().filter(|point| point["kind"] == "fold").collect();
     assert_eq!(folds.len(), 2);
     // By Fourier collocation and by shooting in 130-bit floats.
     assert!((number(folds[0], "parameter") - 0.8721575691379171688795389).abs() < 1e-13);
@@ -80,9 +80,9 @@ fn limit_cycles_are_followed_to_their_hopf_points() {
     for point in branch["points"].as_array().unwrap() {
         let multipliers = point["multipliers"].as_array().unwrap().iter();
         let errors = point["multiplier_errors"].as_array().unwrap();
-        let is_one = |(it, error): (&Value, &Value)| {
+        let is_one = |(multiplier, error): (&Value, &Value)| {
             let stated = error.as_f64().unwrap();
-            stated < 1e-12 && (it[0].as_f64().unwrap() - 1.0).abs() <= stated.max(1e-15)
+            stated < 1e-12 && (multiplier[0].as_f64().unwrap() - 1.0).abs() <= stated.max(1e-15)
         };
         assert!(multipliers.zip(errors).any(is_one), "{point}");
     }
@@ -177,7 +177,9 @@ fn answers_that_go_around_are_followed() {
     // By Taylor shooting in 40 digits.
     let doubling = &branches[0]["special"][0];
     assert!((number(doubling, "parameter") - 0.847446163297482).abs() < 1e-13, "{doubling}");
-    assert!(branches[0]["points"].as_array().unwrap().iter().all(|it| number(it, "amplitude_max") < 3.0));
+    assert!(
+        branches[0]["points"].as_array().unwrap().iter().all(|point| number(point, "amplitude_max") < 3.0)
+    );
     let words = text(question).split_whitespace().collect::<Vec<_>>().join(" ");
     for part in
         ["one turn in a period of the drive", "2 turns in 2 periods of the drive", "from uniform rotation"]
@@ -210,10 +212,10 @@ fn slow_sweeps_are_listed_where_they_are_asked_for() {
         .map(|sweep| (sweep["direction"].as_str().unwrap(), number(sweep, "parameter")))
         .collect();
     let expected = [("up", [0.7, 0.8, 0.9, 1.0]), ("down", [1.0, 0.9, 0.8, 0.7])];
-    let expected = expected.iter().flat_map(|(way, all)| all.iter().map(move |it| (*way, *it)));
+    let expected = expected.iter().flat_map(|(way, all)| all.iter().map(move |value| (*way, *value)));
     assert!(expected.zip(&values).all(|(a, b)| a.0 == b.0 && (a.1 - b.1).abs() < 1e-15), "{values:?}");
     // At 0.8 both responses exist: below 30° in the upward sweep, above 100° in the downward one.
-    let at = |place: usize| number(&sweeps[place], "amplitude_max").to_degrees();
+    let at = |index: usize| number(&sweeps[index], "amplitude_max").to_degrees();
     assert!(at(1) < 30.0 && at(6) > 100.0, "{sweeps:?}");
     let csv = text(&format!("{question} --sweeps 4 --csv"));
     assert!(csv.lines().next().unwrap().ends_with(",error,sweep"), "{csv}");

@@ -68,18 +68,18 @@ fn a_file_that_is_cut_short_anywhere_comes_out_whole() {
     begin("30", &whole);
     begin("20", &part);
     let bytes = fs::read(&part).unwrap();
-    let known = usize::try_from(state(&part)["known"]["bytes"].as_u64().unwrap()).unwrap();
-    assert!(known < bytes.len() && known > bytes.len() / 2, "{known} of {}", bytes.len());
+    let saved = usize::try_from(state(&part)["known"]["bytes"].as_u64().unwrap()).unwrap();
+    assert!(saved < bytes.len() && saved > bytes.len() / 2, "{saved} of {}", bytes.len());
     // Cut at the end of a line, one byte next to it, within a number, and before the first complete line.
     for length in
-        [bytes.len(), bytes.len() - 1, bytes.len() - 7, known + 20, known + 1, known, known - 1, known / 2]
+        [bytes.len(), bytes.len() - 1, bytes.len() - 7, saved + 20, saved + 1, saved, saved - 1, saved / 2]
     {
         fs::write(&cut, &bytes[..length]).unwrap();
         fs::copy(state_of(&part), state_of(&cut)).unwrap();
         let file = cut.display();
         let output =
             libration(&format!("simulate {question} --times 0:30:0.05 --resume {file} --output {file}"));
-        if length >= known {
+        if length >= saved {
             assert!(output.status.success(), "{length}: {}", message(&output));
             assert!(fs::read(&cut).unwrap() == fs::read(&whole).unwrap(), "{length}");
         } else {
@@ -90,14 +90,14 @@ fn a_file_that_is_cut_short_anywhere_comes_out_whole() {
     }
     let mut changed = bytes.clone();
     // A changed digit in a number, which only the checksum can detect.
-    let place = (known / 2..).find(|&place| changed[place].is_ascii_digit()).unwrap();
-    changed[place] = if changed[place] == b'1' { b'2' } else { b'1' };
+    let digit = (saved / 2..).find(|&index| changed[index].is_ascii_digit()).unwrap();
+    changed[digit] = if changed[digit] == b'1' { b'2' } else { b'1' };
     fs::write(&cut, &changed).unwrap();
     fs::copy(state_of(&part), state_of(&cut)).unwrap();
     let output = libration(&format!("simulate {question} --times 0:30:0.05 --resume {}", cut.display()));
     assert_eq!(output.status.code(), Some(1));
     assert!(
-        ["do not match its .state", "has a sample at"].iter().any(|it| message(&output).contains(it)),
+        ["do not match its .state", "has a sample at"].iter().any(|reason| message(&output).contains(reason)),
         "{}",
         message(&output)
     );
@@ -187,9 +187,9 @@ fn a_run_that_is_ended_by_force_is_gone_on_from_and_nothing_is_left() {
         path.to_string_lossy().ends_with(".part").then_some(path)
     });
     let left = left.unwrap();
-    let known = &state(&left)["known"];
+    let saved = &state(&left)["known"];
     // As many samples again.
-    let end = 2 * known["samples"].as_u64().unwrap() / 2;
+    let end = 2 * saved["samples"].as_u64().unwrap() / 2;
     text(&format!("{question} --initial theta=0.1 --times 0:{end}:0.5 --output {}", whole.display()));
     let output = libration(&format!(
         "{question} --times 0:{end}:0.5 --resume {} --output {}",
@@ -226,7 +226,7 @@ fn ctrl_c_leaves_a_complete_file_to_go_on_from() {
         .stderr(std::process::Stdio::piped())
         .spawn()
         .unwrap();
-    wait_for(&file, |entry| entry.metadata().is_ok_and(|it| it.len() > 100_000));
+    wait_for(&file, |entry| entry.metadata().is_ok_and(|metadata| metadata.len() > 100_000));
     let signal =
         std::process::Command::new("kill").args(["-INT", &running.id().to_string()]).status().unwrap();
     assert!(signal.success());

@@ -5,7 +5,7 @@ use std::fs;
 
 #[test]
 fn with_a_picture_the_points_are_not_listed_and_a_line_says_what_was_written() {
-    let place = directory("announced");
+    let folder = directory("announced");
     let questions = [
         "motion 60deg --times 0:100:0.01",
         "decay 60deg --linear 0.01 --cycles 200",
@@ -16,7 +16,7 @@ fn with_a_picture_the_points_are_not_listed_and_a_line_says_what_was_written() {
         "lyapunov driven_pendulum --set A=1.5,c=1/2 --initial theta=0.2 --intervals 100 --transient 1",
     ];
     for (number, question) in questions.iter().enumerate() {
-        let picture = place.join(format!("{number}.svg"));
+        let picture = folder.join(format!("{number}.svg"));
         let answer = text(&format!("{question} --figure {}", picture.display()));
         assert!(answer.lines().count() < 25, "{question}:\n{answer}");
         let said = answer.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -36,13 +36,13 @@ fn numbers_that_are_asked_for_are_written_beside_a_picture() {
 
 #[test]
 fn files_are_announced() {
-    let place = directory("announced-files");
-    let page = place.join("period.html");
+    let folder = directory("announced-files");
+    let page = folder.join("period.html");
     assert_eq!(
         text(&format!("derive --method formulas --format html --output {}", page.display())).lines().count(),
         1
     );
-    let samples = place.join("long.csv");
+    let samples = folder.join("long.csv");
     let answer =
         text(&format!("simulate pendulum --initial theta=1 --times 0:9:1 --output {}", samples.display()));
     assert!(answer.starts_with(&format!("{} written: ", samples.display())), "{answer}");

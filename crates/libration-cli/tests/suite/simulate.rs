@@ -5,8 +5,8 @@ use serde_json::Value;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_6};
 use std::fs;
 
-fn sample(answer: &Value, place: usize) -> Vec<f64> {
-    let state = answer["samples"][place]["state"].as_array().unwrap();
+fn sample(answer: &Value, index: usize) -> Vec<f64> {
+    let state = answer["samples"][index]["state"].as_array().unwrap();
     state.iter().map(|value| value.as_f64().unwrap()).collect()
 }
 
@@ -77,10 +77,10 @@ fn every_form_has_the_same_numbers() {
     let table = text(&format!("{question} --csv"));
     let mut lines = table.lines();
     assert_eq!(lines.next(), Some("time_s,r,theta,r',theta',r_error,theta_error,r'_error,theta'_error"));
-    for (place, line) in lines.enumerate() {
+    for (index, line) in lines.enumerate() {
         let numbers: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap()).collect();
-        assert_eq!(numbers[1..5], sample(&answer, place));
-        assert_eq!(numbers[5..], error(&answer["samples"][place]).unwrap());
+        assert_eq!(numbers[1..5], sample(&answer, index));
+        assert_eq!(numbers[5..], error(&answer["samples"][index]).unwrap());
     }
     // r is not given, and begins where the spring carries the weight.
     assert_eq!(sample(&answer, 0), [1.1, 0.5, 0.0, 0.0]);
@@ -189,14 +189,14 @@ fn event_rows_stand_among_the_samples_in_the_order_of_time() {
 #[test]
 fn the_end_of_a_formula_is_named_with_place_and_time() {
     // As in the library, by mpmath.
-    for (equation, start, place, time) in [
+    for (equation, start, point, time) in [
         ("x'' = -exp(-1/x)", "x=1", "x = ", "t = 2.66631248"),
         ("x'' = -1 + atan(1/x)/10", "x=1", "x = ", "t = 1."),
     ] {
         let output = run(&["simulate", equation, "--initial", start, "--times", "0:2.8:0.4", "--json"]);
         assert_eq!(output.status.code(), Some(1), "{equation}");
         let message = message(&output);
-        assert!(message.contains(place) && message.contains(time) && message.contains("x' = -"), "{message}");
+        assert!(message.contains(point) && message.contains(time) && message.contains("x' = -"), "{message}");
         let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
         let samples = answer["samples"].as_array().unwrap();
         assert!(samples.iter().all(|sample| sample["state"][0].as_f64().unwrap() >= 0.0), "{answer}");
@@ -342,8 +342,8 @@ fn a_motion_ends_at_an_event() {
 /// Columns of continued runs equal those of one run, and the count of events continues.
 #[test]
 fn columns_and_counted_events_survive_a_stop() {
-    let place = directory("columns_and_counts");
-    let (file, whole) = (place.join("motion.csv"), place.join("whole.csv"));
+    let folder = directory("columns_and_counts");
+    let (file, whole) = (folder.join("motion.csv"), folder.join("whole.csv"));
     let ask = |times: &str, file: &std::path::Path, more: &[&str]| {
         let file = file.to_str().unwrap();
         let question = ["simulate", "pendulum", "--initial", "theta=1", "--times", times, "--output", file];
@@ -371,13 +371,13 @@ fn times_may_lie_on_both_sides_of_the_start() {
     let times: Vec<f64> =
         answer["samples"].as_array().unwrap().iter().map(|row| row["time_s"].as_f64().unwrap()).collect();
     assert_eq!(times, [-10.0, -7.5, -5.0, -2.5, 0.0, 2.5, 5.0, 7.5, 10.0]);
-    for (place, time) in times.iter().enumerate() {
+    for (index, time) in times.iter().enumerate() {
         let exact = 1.0 / (1.0 + (-time).exp());
-        assert!((sample(&answer, place)[0] - exact).abs() < 1e-11 * exact, "{time}");
+        assert!((sample(&answer, index)[0] - exact).abs() < 1e-11 * exact, "{time}");
     }
     let swing =
         json("simulate pendulum --initial theta=1 --times=-7:7:7 --events crossing --tolerance 1e-14");
-    let bits = |place: usize| sample(&swing, place)[0].to_bits();
+    let bits = |index: usize| sample(&swing, index)[0].to_bits();
     assert_eq!(bits(0), bits(2));
     assert!((sample(&swing, 0)[1] + sample(&swing, 2)[1]).abs() <= 0.0);
     let passed: Vec<f64> =
@@ -462,8 +462,8 @@ fn derivatives_by_parameters_and_starts_are_columns() {
             assert_eq!(row["state"].as_array().unwrap().len(), 2);
             let exact = exact(row["time_s"].as_f64().unwrap());
             let columns = row["columns"].as_array().unwrap().iter().zip(exact);
-            for ((found, exact), error) in columns.zip(row["columns_error"].as_array().unwrap()) {
-                let (off, error) = ((found.as_f64().unwrap() - exact).abs(), error.as_f64().unwrap());
+            for ((computed, exact), error) in columns.zip(row["columns_error"].as_array().unwrap()) {
+                let (off, error) = ((computed.as_f64().unwrap() - exact).abs(), error.as_f64().unwrap());
                 // The rounding errors of the closed form.
                 assert!(off <= error + 4e-15 && error < 1e-12, "{row}");
             }
@@ -516,13 +516,13 @@ fn chaotic_motions_have_errors_as_far_as_they_are_determined() {
     let until = answer["determined_until_s"].as_f64().unwrap();
     assert!((60.0..80.0).contains(&until), "{until}");
     let samples = answer["samples"].as_array().unwrap();
-    let known: Vec<bool> = samples.iter().map(|sample| error(sample).is_some()).collect();
-    assert_eq!(known, [true, true, false, false]);
-    for (place, truth) in TRUTH.into_iter().enumerate() {
-        let errors = error(&samples[place]).unwrap();
-        for ((found, truth), error) in sample(&answer, place).iter().zip(truth).zip(errors) {
-            let off = (found - truth).abs();
-            assert!(off <= error && error < 1e-3, "{place}: {off:e} {error:e}");
+    let have_errors: Vec<bool> = samples.iter().map(|sample| error(sample).is_some()).collect();
+    assert_eq!(have_errors, [true, true, false, false]);
+    for (index, truth) in TRUTH.into_iter().enumerate() {
+        let errors = error(&samples[index]).unwrap();
+        for ((computed, truth), error) in sample(&answer, index).iter().zip(truth).zip(errors) {
+            let off = (computed - truth).abs();
+            assert!(off <= error && error < 1e-3, "{index}: {off:e} {error:e}");
         }
     }
     // The values beyond the limit, which are not printed, are far from the truth, -5.163773181 and -38.317931200.
@@ -555,7 +555,7 @@ fn no_digits_are_shown_beyond_the_error() {
     let answer = json(question);
     let sheet = text(question);
     let rows: Vec<Vec<&str>> = sheet.lines().map(|line| line.split_whitespace().collect()).collect();
-    for (place, sample) in answer["samples"].as_array().unwrap().iter().enumerate().skip(1) {
+    for (index, sample) in answer["samples"].as_array().unwrap().iter().enumerate().skip(1) {
         let time = format!("{}", sample["time_s"].as_f64().unwrap());
         let row = rows.iter().find(|row| row.len() == 6 && row[0] == time).unwrap();
         let of_column = sample["columns_error"][0].as_f64().unwrap();
@@ -563,7 +563,7 @@ fn no_digits_are_shown_beyond_the_error() {
         for (cell, error) in row[1..].iter().zip(errors) {
             let places = cell.split_once('.').map_or(0, |(_, places)| places.len());
             let last = 10_f64.powi(-i32::try_from(places).unwrap());
-            assert!(last > 0.1 * error, "{place}: {cell} with an error of {error:e}");
+            assert!(last > 0.1 * error, "{index}: {cell} with an error of {error:e}");
         }
     }
 }
@@ -576,11 +576,11 @@ fn a_start_on_an_event_does_not_cross_it() {
         ("--initial theta=-60deg --times 0,5 --events theta+pi/3", vec!["theta + pi/3, at the start"]),
         ("--initial theta=60deg --times 0,-5 --events pi/3-theta", vec!["pi/3 - theta, at the start"]),
     ] {
-        let found: Vec<String> = events(&json(&format!("simulate pendulum {question}")))
+        let computed: Vec<String> = events(&json(&format!("simulate pendulum {question}")))
             .into_iter()
             .map(|(_, kind)| kind)
             .collect();
-        assert_eq!(found, expected, "{question}");
+        assert_eq!(computed, expected, "{question}");
     }
     let until = "simulate pendulum --initial theta=60deg --times 0,20 --until theta=pi/3 --direction falling";
     let output = libration(until);
@@ -617,7 +617,7 @@ fn commas_in_brackets_separate_nothing() {
 /// The continued run has the same bytes, for forces with jumps and where the motion is no longer determined.
 #[test]
 fn errors_survive_a_stop() {
-    let place = directory("errors_survive");
+    let folder = directory("errors_survive");
     for (name, system, initial, first, whole) in [
         ("friction", "x'' = -x - sign(x')/100", "x=1", "0:5:0.5", "0:20:0.5"),
         ("clearance", "x'' = -x - max(x - 0.5, 0)", "x=1", "0:9:0.5", "0:20:0.5"),
@@ -625,7 +625,7 @@ fn errors_survive_a_stop() {
     ] {
         let columns = ["--columns", "a = 2*t, max(t, 3), d = t^2"];
         for (form, columns) in [("csv", &[][..]), ("json", &[]), ("csv", &columns), ("json", &columns)] {
-            let files = ["part", "whole"].map(|it| place.join(format!("{name}_{it}.{form}")));
+            let files = ["part", "whole"].map(|part| folder.join(format!("{name}_{part}.{form}")));
             let [part, other] = files.each_ref().map(|file| file.to_str().unwrap());
             let ask = |times: &str, more: &[&str]| {
                 let question = ["simulate", system, "--initial", initial, "--times", times];
@@ -639,7 +639,7 @@ fn errors_survive_a_stop() {
             assert_eq!(resumed, at_once, "{name} {form}");
         }
     }
-    let part = place.join("friction_part.csv");
+    let part = folder.join("friction_part.csv");
     let question =
         ["simulate", "x'' = -x - sign(x')/100", "--times", "0:30:0.5", "--events", "turning", "--no-errors"];
     let refused = run(&[&question[..], &["--resume", part.to_str().unwrap()]].concat());

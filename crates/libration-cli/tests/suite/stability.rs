@@ -17,13 +17,13 @@ fn a_chart_has_its_curves_with_both_parameters() {
     // By Hill's matrix in floats of 130 bits.
     for (omega, edge) in [(5.0, 0.2877861746702333933585712), (10.0, 0.142045148229182661499441)] {
         let at = |value: &&Value| value["parameters"][0] == omega;
-        let found = points.iter().find(at).unwrap_or_else(|| panic!("nothing at {omega}"));
-        let off = found["parameters"][1].as_f64().unwrap() - edge;
-        assert!(off.abs() < 1e-13 && found["error"].as_f64().unwrap() < 1e-12, "{found}");
+        let point = points.iter().find(at).unwrap_or_else(|| panic!("nothing at {omega}"));
+        let off = point["parameters"][1].as_f64().unwrap() - edge;
+        assert!(off.abs() < 1e-13 && point["error"].as_f64().unwrap() < 1e-12, "{point}");
     }
     let [rows, columns] =
-        [&answer["rest_stable"], &answer["rest_stable"][0]].map(|it| it.as_array().unwrap().len());
-    let [first, second] = [0, 1].map(|it| answer["grid"][it].as_array().unwrap().len());
+        [&answer["rest_stable"], &answer["rest_stable"][0]].map(|list| list.as_array().unwrap().len());
+    let [first, second] = [0, 1].map(|axis| answer["grid"][axis].as_array().unwrap().len());
     assert_eq!((rows, columns), (second, first));
     // Above the edge the equilibrium is stable up to the end of the map.
     let ends = answer["rest_stable_at"].as_array().unwrap();

@@ -42,9 +42,9 @@ fn chunks(directory: &Path) -> BTreeMap<String, String> {
 
 #[test]
 fn a_sweep_gives_what_each_question_gives() {
-    let place = directory("sweep-answers").join("d");
-    succeeded(&sweep(QUESTION, &place, &[]));
-    let table = joined(&[&place], "csv");
+    let folder = directory("sweep-answers").join("d");
+    succeeded(&sweep(QUESTION, &folder, &[]));
+    let table = joined(&[&folder], "csv");
     let mut lines = table.lines();
     assert_eq!(lines.next(), Some("A,theta,omega,status,message"));
     let mut points = 0;
@@ -63,10 +63,10 @@ fn a_sweep_gives_what_each_question_gives() {
 
 #[test]
 fn shards_and_chunks_join_to_the_same_bytes() {
-    let place = directory("sweep-shards");
-    let whole = place.join("whole");
+    let folder = directory("sweep-shards");
+    let whole = folder.join("whole");
     succeeded(&sweep(QUESTION, &whole, &[]));
-    let parts: Vec<_> = (1..=3).map(|number| place.join(format!("part{number}"))).collect();
+    let parts: Vec<_> = (1..=3).map(|number| folder.join(format!("part{number}"))).collect();
     for (number, part) in (1..).zip(&parts) {
         succeeded(&sweep(QUESTION, part, &["--shard", &format!("{number}/3")]));
     }
@@ -74,13 +74,13 @@ fn shards_and_chunks_join_to_the_same_bytes() {
     for ending in ["csv", "json"] {
         assert_eq!(joined(&parts, ending), joined(&[&whole], ending));
     }
-    let together = place.join("together");
+    let together = folder.join("together");
     for number in [3, 1, 2] {
         succeeded(&sweep(QUESTION, &together, &["--shard", &format!("{number}/3")]));
     }
     assert_eq!(joined(&[&together], "csv"), joined(&[&whole], "csv"));
     // Chunks of another directory contain the same lines.
-    let other = place.join("other");
+    let other = folder.join("other");
     let seven = QUESTION.replace("--chunk|2", "--chunk|7");
     succeeded(&sweep(&seven, &other, &[]));
     assert_eq!(joined(&[&other], "csv"), joined(&[&whole], "csv"));
@@ -88,8 +88,8 @@ fn shards_and_chunks_join_to_the_same_bytes() {
 
 #[test]
 fn missing_shards_are_named() {
-    let place = directory("sweep-missing");
-    let part = place.join("part");
+    let folder = directory("sweep-missing");
+    let part = folder.join("part");
     succeeded(&sweep(QUESTION, &part, &["--shard", "2/3"]));
     let join = |directory: &Path| {
         let output = run(&["sweep", "join", directory.to_str().unwrap(), "--output", "never.csv"]);
@@ -111,34 +111,35 @@ fn missing_shards_are_named() {
 
 #[test]
 fn where_nothing_stands_alone_it_has_to_be_chosen() {
-    let place = directory("sweep-lists").join("d");
+    let folder = directory("sweep-lists").join("d");
     let question = "modes|double_pendulum|--over|m2=1,2";
-    let output = sweep(question, &place, &[]);
+    let output = sweep(question, &folder, &[]);
     assert_eq!(output.status.code(), Some(2));
     assert!(
         message(&output).contains("--keep")
             && message(&output).contains("modes[0].angular_frequency_rad_per_s")
     );
-    assert!(!place.exists());
-    succeeded(&sweep(question, &place, &["--keep", "omega=modes[0].angular_frequency_rad_per_s"]));
+    assert!(!folder.exists());
+    succeeded(&sweep(question, &folder, &["--keep", "omega=modes[0].angular_frequency_rad_per_s"]));
 }
 
 #[test]
 fn words_that_are_missing_are_no_numbers() {
     // `system` is null here, and so is `note`.
-    let place = directory("sweep-words").join("d");
-    succeeded(&sweep("lyapunov|x'' = -x - {c} x'|--initial|x=1|--over|c=1,2|--time|5", &place, &[]));
-    let status = json(&format!("sweep status {}", place.display()));
-    let kept: Vec<&str> = status["kept"].as_array().unwrap().iter().map(|it| it.as_str().unwrap()).collect();
+    let folder = directory("sweep-words").join("d");
+    succeeded(&sweep("lyapunov|x'' = -x - {c} x'|--initial|x=1|--over|c=1,2|--time|5", &folder, &[]));
+    let status = json(&format!("sweep status {}", folder.display()));
+    let kept: Vec<&str> =
+        status["kept"].as_array().unwrap().iter().map(|field| field.as_str().unwrap()).collect();
     assert!(kept.contains(&"exponent_per_s") && !kept.contains(&"system"), "{kept:?}");
 }
 
 #[test]
 fn points_without_an_answer_say_why() {
-    let place = directory("sweep-failures").join("d");
+    let folder = directory("sweep-failures").join("d");
     let question = "period|--over|amplitude=60deg,190deg,90deg|--keep|results[0].ratio|--over|length=1m,-1m";
-    succeeded(&sweep(question, &place, &[]));
-    let table: Value = serde_json::from_str(&joined(&[&place], "json")).unwrap();
+    succeeded(&sweep(question, &folder, &[]));
+    let table: Value = serde_json::from_str(&joined(&[&folder], "json")).unwrap();
     assert_described("sweep join", &table);
     let points = table["points"].as_array().unwrap();
     let status: Vec<u64> = points.iter().map(|point| point["status"].as_u64().unwrap()).collect();
@@ -153,14 +154,14 @@ fn points_without_an_answer_say_why() {
     }
     assert!(points[2]["message"].as_str().unwrap().contains("below pi"), "{}", points[2]);
     assert_eq!((&points[2]["at"]["amplitude"], &points[2]["at"]["length"]), (&190.0.into(), &1.0.into()));
-    assert!(text(&format!("sweep status {}", place.display())).contains("4"));
+    assert!(text(&format!("sweep status {}", folder.display())).contains("4"));
 }
 
 #[test]
 fn all_numbers_that_stand_alone_are_kept_with_their_units() {
-    let place = directory("sweep-all").join("d");
-    succeeded(&sweep("period|--formulas|bernoulli|--over|amplitude=60deg,90deg", &place, &[]));
-    let table: Value = serde_json::from_str(&joined(&[&place], "json")).unwrap();
+    let folder = directory("sweep-all").join("d");
+    succeeded(&sweep("period|--formulas|bernoulli|--over|amplitude=60deg,90deg", &folder, &[]));
+    let table: Value = serde_json::from_str(&joined(&[&folder], "json")).unwrap();
     let fields = table["fields"].as_array().unwrap();
     let of = |name: &str| {
         fields.iter().find(|field| field["name"] == name).unwrap_or_else(|| panic!("{name}: {fields:?}"))
@@ -177,9 +178,9 @@ fn all_numbers_that_stand_alone_are_kept_with_their_units() {
 
 #[test]
 fn another_sweep_is_refused() {
-    let place = directory("sweep-other").join("d");
-    succeeded(&sweep(QUESTION, &place, &[]));
-    let before = chunks(&place);
+    let folder = directory("sweep-other").join("d");
+    succeeded(&sweep(QUESTION, &folder, &[]));
+    let before = chunks(&folder);
     let cases = [
         ("A=1:1.2:0.1", "A=1:1.3:0.1", "axis A has other values"),
         ("c=1/2", "c=1/3", "its command is"),
@@ -188,11 +189,11 @@ fn another_sweep_is_refused() {
         ("theta=", "theta'=", "its command is"),
     ];
     for (from, to, reason) in cases {
-        let output = sweep(&QUESTION.replace(from, to), &place, &[]);
+        let output = sweep(&QUESTION.replace(from, to), &folder, &[]);
         assert_eq!(output.status.code(), Some(1), "{to}");
         assert!(message(&output).contains(reason), "{to}: {}", message(&output));
     }
-    let manifest = place.join("sweep.json");
+    let manifest = folder.join("sweep.json");
     let text = fs::read_to_string(&manifest).unwrap();
     let changed = [
         (text.replace("\"format\": 1", "\"format\": 2"), "its format is 2"),
@@ -202,11 +203,11 @@ fn another_sweep_is_refused() {
     ];
     for (text, reason) in changed {
         fs::write(&manifest, text).unwrap();
-        let output = sweep(QUESTION, &place, &[]);
+        let output = sweep(QUESTION, &folder, &[]);
         assert_eq!(output.status.code(), Some(1), "{reason}");
         assert!(message(&output).contains(reason), "{}", message(&output));
     }
-    assert_eq!(chunks(&place), before);
+    assert_eq!(chunks(&folder), before);
     let full = directory("sweep-full");
     fs::write(full.join("letter.txt"), "dear").unwrap();
     assert!(message(&sweep(QUESTION, &full, &[])).contains("letter.txt"));
@@ -214,7 +215,7 @@ fn another_sweep_is_refused() {
 
 #[test]
 fn questions_that_cannot_be_are_refused_before_anything_is_written() {
-    let place = directory("sweep-refused").join("d");
+    let folder = directory("sweep-refused").join("d");
     let cases = [
         ("section|nonsense|--over|theta=1,2", "nonsense"),
         ("section|driven_pendulum|--over|B=1,2", "B"),
@@ -228,32 +229,32 @@ fn questions_that_cannot_be_are_refused_before_anything_is_written() {
         ("period|--over|amplitude=1,2|--shard|3/2", "which of how many"),
     ];
     for (question, reason) in cases {
-        let output = sweep(question, &place, &[]);
+        let output = sweep(question, &folder, &[]);
         assert!([Some(1), Some(2)].contains(&output.status.code()), "{question}");
         assert!(message(&output).contains(reason), "{question}: {}", message(&output));
-        assert!(!place.exists(), "{question}");
+        assert!(!folder.exists(), "{question}");
     }
 }
 
 #[test]
 fn a_damaged_chunk_is_made_again() {
-    let place = directory("sweep-damaged").join("d");
-    succeeded(&sweep(QUESTION, &place, &[]));
-    let before = chunks(&place);
-    let path = place.join("chunk-000003.csv");
+    let folder = directory("sweep-damaged").join("d");
+    succeeded(&sweep(QUESTION, &folder, &[]));
+    let before = chunks(&folder);
+    let path = folder.join("chunk-000003.csv");
     for damage in ["", "A,theta", &before["chunk-000003.csv"].replace('\n', "\n\n")] {
         fs::write(&path, damage).unwrap();
-        succeeded(&sweep(QUESTION, &place, &[]));
-        assert_eq!(chunks(&place), before);
+        succeeded(&sweep(QUESTION, &folder, &[]));
+        assert_eq!(chunks(&folder), before);
     }
 }
 
 /// Killed at once, soon and later, again and again, until the sweep completes.
 #[test]
 fn a_killed_sweep_goes_on_where_it_was() {
-    let place = directory("sweep-killed");
+    let folder = directory("sweep-killed");
     let question = QUESTION.replace("--skip|2", "--skip|300").replace("--chunk|2", "--chunk|1");
-    let (undisturbed, killed) = (place.join("undisturbed"), place.join("killed"));
+    let (undisturbed, killed) = (folder.join("undisturbed"), folder.join("killed"));
     succeeded(&sweep(&question, &undisturbed, &[]));
     let words: Vec<&str> = question.split('|').collect();
     for milliseconds in [1, 30, 60, 90, 120, 200] {
@@ -282,11 +283,11 @@ fn a_killed_sweep_goes_on_where_it_was() {
 #[cfg(unix)]
 #[test]
 fn a_full_disk_is_told_and_keeps_whole_chunks() {
-    let place = directory("sweep-full-disk").join("d");
+    let folder = directory("sweep-full-disk").join("d");
     let question = "section|driven_pendulum|--set|c=1/2|--initial|theta=0.2|--points|40|--skip|1|--over|A=1:1.2:0.1\
                     |--keep|omega=points[0:40].state[1]|--chunk|1";
     // The first chunk exists already.
-    succeeded(&sweep(question, &place, &["--shard", "1/3"]));
+    succeeded(&sweep(question, &folder, &["--shard", "1/3"]));
     let words: Vec<&str> = question.split('|').collect();
     let output = Command::new("bash")
         .args([
@@ -298,7 +299,7 @@ fn a_full_disk_is_told_and_keeps_whole_chunks() {
         ])
         .args(&words)
         .arg("--output")
-        .arg(&place)
+        .arg(&folder)
         .output()
         .unwrap();
     assert_eq!(output.status.code(), Some(1), "{}", message(&output));
@@ -307,17 +308,17 @@ fn a_full_disk_is_told_and_keeps_whole_chunks() {
         said.contains("cannot write") && said.contains("too large") && said.contains("continues"),
         "{said}"
     );
-    assert_eq!(chunks(&place).len(), 1);
-    let names = fs::read_dir(&place).unwrap().map(|it| it.unwrap().file_name().into_string().unwrap());
+    assert_eq!(chunks(&folder).len(), 1);
+    let names = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
     assert!(names.into_iter().all(|name| !name.ends_with(".part")), "nothing half-written is left");
-    succeeded(&sweep(question, &place, &[]));
-    assert_eq!(chunks(&place).len(), 3);
+    succeeded(&sweep(question, &folder, &[]));
+    assert_eq!(chunks(&folder).len(), 3);
 }
 
 #[cfg(target_os = "linux")]
 #[test]
 fn ctrl_c_keeps_the_chunks_that_are_done() {
-    let place = directory("sweep-interrupted").join("d");
+    let folder = directory("sweep-interrupted").join("d");
     let question = "section|driven_pendulum|--set|c=1/2|--initial|theta=0.2|--points|1|--skip|500|--over|A=1:1.5:0.001\
                     |--keep|omega=points[0].state[1]|--chunk|1";
     let words: Vec<&str> = question.split('|').collect();
@@ -325,26 +326,26 @@ fn ctrl_c_keeps_the_chunks_that_are_done() {
         .arg("sweep")
         .args(&words)
         .arg("--output")
-        .arg(&place)
+        .arg(&folder)
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
-    while !place.exists() || chunks(&place).is_empty() {
+    while !folder.exists() || chunks(&folder).is_empty() {
         std::thread::sleep(Duration::from_millis(5));
     }
     assert!(Command::new("kill").args(["-INT", &running.id().to_string()]).status().unwrap().success());
     let output = running.wait_with_output().unwrap();
     assert_eq!(output.status.code(), Some(130), "{}", message(&output));
     assert!(message(&output).contains("continues from there"), "{}", message(&output));
-    let done = chunks(&place);
+    let done = chunks(&folder);
     assert!(!done.is_empty() && done.len() < 501, "{}", done.len());
     assert!(done.values().all(|text| text.ends_with(",0,\n")), "no result of an interrupted point is kept");
 }
 
 #[test]
 fn what_behind_two_dashes_is_the_questions_own() {
-    let place = directory("sweep-dashes").join("d");
+    let folder = directory("sweep-dashes").join("d");
     let output = run(&[
         "sweep",
         "--over",
@@ -352,7 +353,7 @@ fn what_behind_two_dashes_is_the_questions_own() {
         "--keep",
         "points[0].state[1]",
         "--output",
-        place.to_str().unwrap(),
+        folder.to_str().unwrap(),
         "--",
         "bifurcation",
         "driven_pendulum",
@@ -366,5 +367,5 @@ fn what_behind_two_dashes_is_the_questions_own() {
         "1",
     ]);
     succeeded(&output);
-    assert_eq!(chunks(&place).len(), 2);
+    assert_eq!(chunks(&folder).len(), 2);
 }

@@ -55,7 +55,8 @@ fn symbols_of_free_oscillators_need_no_option() {
 fn numbers_are_those_of_the_integrated_motion_within_their_errors() {
     let set = ["--set", "mu=0.1", "--set", "w0=1", "--set", "a=1", "--set", "F=0.5", "--set", "eps=0.1"];
     let exact = answer(&["orbit", "x'' + 0.02*x' + x + 0.1*x^3 = 0.05*cos(1.03*t)"]);
-    let exact = exact["harmonics"].as_array().unwrap().iter().find(|it| it["n"] == 1).unwrap().clone();
+    let exact =
+        exact["harmonics"].as_array().unwrap().iter().find(|harmonic| harmonic["n"] == 1).unwrap().clone();
     let mut last = f64::INFINITY;
     for order in ["1", "2", "3"] {
         let words =
@@ -84,7 +85,10 @@ fn steady_states_beyond_the_series_are_named_with_the_reason() {
     let values = answer(&words)["values"].clone();
     assert_eq!(values["steady_states"].as_array().unwrap().len(), 1, "{values}");
     let left_out = values["left_out"].as_array().unwrap();
-    assert!(left_out.len() == 2 && left_out.iter().all(|it| it["reason"] == "beyond_reach"), "{values}");
+    assert!(
+        left_out.len() == 2 && left_out.iter().all(|state| state["reason"] == "beyond_reach"),
+        "{values}"
+    );
     let listing = shown(&words);
     assert!(listing.contains("left out: A = 2.9, phi = "), "{listing}");
     assert!(!listing.contains("no steady state"), "{listing}");

@@ -14,9 +14,9 @@ fn every_command_stands_in_one_group_of_the_help() {
     let help = text("--help");
     for query in questions() {
         let name = query.words.split(' ').next().unwrap();
-        let lines = help
-            .lines()
-            .filter(|line| line.strip_prefix("  ").is_some_and(|it| it.split(' ').next() == Some(name)));
+        let lines = help.lines().filter(|line| {
+            line.strip_prefix("  ").is_some_and(|words| words.split(' ').next() == Some(name))
+        });
         assert_eq!(lines.count(), 1, "{name}");
     }
     assert!(help.lines().count() <= 66 && help.lines().all(|line| line.chars().count() <= 80), "{help}");

@@ -43,7 +43,8 @@ fn every_question_that_takes_equations_reads_them_alike() {
         &["modes", ""],
     ] {
         let with = |text: &'static str| {
-            let arguments: Vec<&str> = rest.iter().map(|it| if it.is_empty() { text } else { it }).collect();
+            let arguments: Vec<&str> =
+                rest.iter().map(|word| if word.is_empty() { text } else { word }).collect();
             json(&arguments)
         };
         let ((one, note), (other, silent)) = (with(free), with(plain));

@@ -73,7 +73,8 @@ impl Comparison<'_> {
             let index = self.symbols.iter().position(|(key, _)| *key == wanted)?;
             values.set(&name, draw[index].clone());
         }
-        let answer = evaluate(&self.formula, &DIGITS, &values).ok().filter(|it| it.to_f64().is_finite())?;
+        let answer =
+            evaluate(&self.formula, &DIGITS, &values).ok().filter(|value| value.to_f64().is_finite())?;
         Some(Sample { draw, answer, result })
     }
 
@@ -81,7 +82,8 @@ impl Comparison<'_> {
     pub(super) fn judge(&self, samples: &[Sample]) -> Judgement {
         let Question { is_zero, result, .. } = self.question;
         let atoms = Atoms { waves: has_wave_power(result), formulas: RefCell::default() };
-        let [of_result, of_answer] = [result, &self.formula].map(|it| terms(it, &|part| atoms.number(part)));
+        let [of_result, of_answer] =
+            [result, &self.formula].map(|side| terms(side, &|part| atoms.number(part)));
         let is_right = match (is_zero, &of_answer, &of_result) {
             (false, ..) => samples.iter().all(|sample| are_close(&sample.answer, &sample.result)),
             (true, Some(given), Some(expected)) => is_multiple(given, expected),
@@ -135,8 +137,9 @@ impl Comparison<'_> {
 
 /// The terms that differ; `None` if there are none.
 fn wrong_terms(given: &Terms, expected: &Terms, atoms: &Atoms) -> Option<Prose> {
-    let symbol =
-        |number: usize| atoms.formulas.borrow().get(number).map_or(Formula::Pi, |(_, it)| it.clone());
+    let symbol = |number: usize| {
+        atoms.formulas.borrow().get(number).map_or(Formula::Pi, |(_, formula)| formula.clone())
+    };
     let sentence = |term: &Term| {
         let [before, after] = match (coefficient(given, term), coefficient(expected, term)) {
             (Some(one), Some(other)) if one == other => return None,

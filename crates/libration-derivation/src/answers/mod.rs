@@ -119,7 +119,8 @@ impl Derivation {
         let mut all = vec![];
         for (position, equation) in equations(&self.answers) {
             all.extend(
-                Question::of(equation).map(|it| (format!("{}.{}", position.0, position.1), position, it)),
+                Question::of(equation)
+                    .map(|question| (format!("{}.{}", position.0, position.1), position, question)),
             );
         }
         all
@@ -150,7 +151,9 @@ impl Derivation {
             .iter()
             .flat_map(|statement| statement.rest.iter().map(|(_, side)| side).chain([&statement.first]));
         let mut symbols = Symbols::new();
-        for name in sides.flat_map(Formula::free_names).filter(|it| it.can_be_typed() && it.letter != "?") {
+        for name in
+            sides.flat_map(Formula::free_names).filter(|name| name.can_be_typed() && name.letter != "?")
+        {
             let key = key(&name);
             if let Err(index) = symbols.binary_search_by(|(other, _)| other.cmp(&key)) {
                 symbols.insert(index, (key, name));

@@ -26,7 +26,7 @@ impl<'a> Question<'a> {
         if matches!(result, Formula::Order(_)) || !result.is_elementary() {
             return None;
         }
-        let asked = Some(&statement.first).filter(|it| !is_zero && it.is_elementary());
+        let asked = Some(&statement.first).filter(|formula| !is_zero && formula.is_elementary());
         Some(Self { is_zero, asked, result })
     }
 }

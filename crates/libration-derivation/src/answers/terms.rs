@@ -85,7 +85,7 @@ pub(super) fn as_in(sum: &Terms, other: &Terms) -> Terms {
     let ratio =
         |(term, value): &(Term, Rational)| coefficient(other, &shifted(term, &best))?.checked_div(value);
     let ratios: Vec<Rational> = sum.iter().filter_map(ratio).collect();
-    let count = |ratio: &&Rational| ratios.iter().filter(|it| it == ratio).count();
+    let count = |ratio: &&Rational| ratios.iter().filter(|candidate| candidate == ratio).count();
     let factor = ratios.iter().max_by_key(count).cloned().unwrap_or_else(|| Rational::from(1));
     let mut scaled = Terms::new();
     for (term, value) in sum {
@@ -127,7 +127,7 @@ fn expanded(formula: &Formula, atom: &dyn Fn(&Formula) -> Option<usize>) -> Opti
     Some(match formula {
         Formula::Number(value) => constant(value.clone()),
         Formula::Order(_) => Terms::new(),
-        Formula::Negate(it) => multiplied(&constant(Rational::from(-1)), &of(it)?)?,
+        Formula::Negate(operand) => multiplied(&constant(Rational::from(-1)), &of(operand)?)?,
         Formula::Sum(parts) => {
             let mut sum = Terms::new();
             for part in parts {
@@ -141,9 +141,9 @@ fn expanded(formula: &Formula, atom: &dyn Fn(&Formula) -> Option<usize>) -> Opti
         }
         Formula::Fraction(over, under) => multiplied(&of(over)?, &raised(&of(under)?, &Rational::from(-1))?)?,
         Formula::Power(base, exponent) => raised(&of(base)?, &fraction(exponent)?)?,
-        Formula::Call(Function::Sqrt, it) => raised(&of(it)?, &Rational::new(1, 2)?)?,
-        Formula::Call(Function::Cos, it) => wave(&of(it)?, false)?,
-        Formula::Call(Function::Sin, it) => wave(&of(it)?, true)?,
+        Formula::Call(Function::Sqrt, argument) => raised(&of(argument)?, &Rational::new(1, 2)?)?,
+        Formula::Call(Function::Cos, argument) => wave(&of(argument)?, false)?,
+        Formula::Call(Function::Sin, argument) => wave(&of(argument)?, true)?,
         _ => return None,
     })
 }
@@ -208,7 +208,7 @@ fn shifted(term: &Term, shift: &Powers) -> Term {
 fn fraction(formula: &Formula) -> Option<Rational> {
     match formula {
         Formula::Number(value) => Some(value.clone()),
-        Formula::Negate(it) => Some(-fraction(it)?),
+        Formula::Negate(operand) => Some(-fraction(operand)?),
         Formula::Fraction(over, under) => fraction(over)?.checked_div(&fraction(under)?),
         _ => None,
     }

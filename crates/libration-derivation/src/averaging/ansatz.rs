@@ -22,8 +22,9 @@ pub(super) fn step(question: &AveragingQuestion, flow: &Flow) -> DerivationStep 
         terms.collect::<Vec<Formula>>()
     };
     let [motions, growths, frequencies] = places(question, flow);
-    let motion =
-        [amplitude() * cos(phase())].into_iter().chain(unknown(&|it| motion_name(question, it), &motions));
+    let motion = [amplitude() * cos(phase())]
+        .into_iter()
+        .chain(unknown(&|powers| motion_name(question, powers), &motions));
     let growth = unknown(&growth_name, &growths);
     let frequency =
         [Formula::from(Name::new("ω").index(0))].into_iter().chain(unknown(&frequency_name, &frequencies));
@@ -89,9 +90,10 @@ fn counted(
             let missing = pairs.iter().filter(|powers| !is_known(powers));
             missing.map(|powers| Formula::from(name(*powers))).collect::<Vec<Formula>>()
         };
-    let mut vanishing = zero(motions, &|it| flow.motion.contains_key(it), &|it| motion_name(question, it));
-    vanishing.extend(zero(growths, &|it| flow.growth.contains_key(it), &growth_name));
-    vanishing.extend(zero(frequencies, &|it| flow.frequency.contains_key(it), &frequency_name));
+    let mut vanishing =
+        zero(motions, &|powers| flow.motion.contains_key(powers), &|powers| motion_name(question, powers));
+    vanishing.extend(zero(growths, &|powers| flow.growth.contains_key(powers), &growth_name));
+    vanishing.extend(zero(frequencies, &|powers| flow.frequency.contains_key(powers), &frequency_name));
     let template = match (motions.len(), growths.len() + frequencies.len()) {
         (1, _) => "To the requested orders this leaves {} function and {} numbers to be found",
         _ => "To the requested orders this leaves {} functions and {} numbers to be found",
@@ -102,9 +104,9 @@ fn counted(
         return prose.and(Prose::text(", none of which will be zero."));
     };
     let prose = prose.and(Prose::text("; of these, as will be seen, nothing forces "));
-    let listed = before.iter().enumerate().fold(prose, |prose, (index, it)| {
+    let listed = before.iter().enumerate().fold(prose, |prose, (index, formula)| {
         let comma = if index > 0 { ", " } else { "" };
-        prose.and(Prose::text(comma)).and(Prose::formula(it.clone()))
+        prose.and(Prose::text(comma)).and(Prose::formula(formula.clone()))
     });
     let and = if before.is_empty() { "" } else { " and " };
     listed.and(Prose::text(and)).and(Prose::formula(last.clone())).and(Prose::text("."))
@@ -252,15 +254,16 @@ fn example_holds(choice: i64, times: usize) -> bool {
         let parts = series.iter().filter(|((n, _), _)| *n > 0);
         parts.map(|((n, j), part)| ((n - 1, *j), part.scaled(&degree(*n)))).collect::<PhaseSeries>()
     };
-    let series = |it: &BTreeMap<PowerPair, PiNumber>| {
-        it.iter()
+    let series = |coefficients: &BTreeMap<PowerPair, PiNumber>| {
+        coefficients
+            .iter()
             .map(|(powers, value)| (*powers, PhaseFunction::constant(value.clone())))
             .collect::<PhaseSeries>()
     };
     let (a, w) = (series(&growth), series(&frequency));
     let product = |factors: &[&PhaseSeries]| {
         let one = PhaseSeries::from([((0, 0), PhaseFunction::constant(number(1, 1)))]);
-        factors.iter().fold(one, |product, it| along.times(&product, it))
+        factors.iter().fold(one, |product, factor| along.times(&product, factor))
     };
     let (x_a, x_p) = (by_amplitude(&x), by_phase(&x));
     let once = [product(&[&w, &x_p]), product(&[&a, &x_a])];

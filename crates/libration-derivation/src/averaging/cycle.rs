@@ -56,9 +56,9 @@ fn written(question: &AveragingQuestion, cycle: &AveragedCycle, powers: usize) -
         let power = if next == 1 { c() } else { c().pow(next) };
         polynomial(series, &c()) + order(power)
     };
-    let show = |left: Formula, it: &CycleSeries, quantity: CycleQuantity| -> CheckedEquation {
+    let show = |left: Formula, right: &CycleSeries, quantity: CycleQuantity| -> CheckedEquation {
         let claim = AveragedClaim::Cycle { parameter: question.parameter.clone(), quantity };
-        averaged(question, Statement::equal(left, series(it)), claim)
+        averaged(question, Statement::equal(left, series(right)), claim)
     };
     let rate = || Formula::from(Name::new("A").prime());
     let step = DerivationStep::new("limit-cycle", "The limit cycle")
@@ -80,7 +80,7 @@ fn written(question: &AveragingQuestion, cycle: &AveragedCycle, powers: usize) -
             question.amplitude(),
         ])
         .show(show(letter("λ"), &cycle.exponent, CycleQuantity::Exponent));
-    let first = cycle.exponent.iter().find(|it| !it.is_zero());
+    let first = cycle.exponent.iter().find(|coefficient| !coefficient.is_zero());
     let step = match first.is_some_and(Rational::is_negative) {
         true => step.say("so that for small positive {} all neighbours come nearer: the cycle is stable.", [c()]),
         false => step.say("so that for small positive {} neighbours go away: the cycle is unstable, and stable where {} is negative.", [c(), c()]),
@@ -115,7 +115,8 @@ impl AveragedCycle {
         }
         let slopes: Vec<CycleSeries> = rates.iter().map(|row| derivative(row)).collect();
         let frequency = along(&phases, &square, powers);
-        let twice: CycleSeries = square.iter().map(|it| it.clone() * Rational::from(2)).collect();
+        let twice: CycleSeries =
+            square.iter().map(|coefficient| coefficient.clone() * Rational::from(2)).collect();
         let exponent = product(&along(&slopes, &square, powers), &twice, powers + 1);
         Some(Self { square, frequency, exponent })
     }
@@ -139,8 +140,9 @@ fn positive_root(row: &[Rational]) -> Option<Rational> {
 }
 
 fn derivative(row: &[Rational]) -> CycleSeries {
-    let term =
-        |(n, it): (usize, &Rational)| it.clone() * Rational::from(i64::try_from(n).unwrap_or(i64::MAX));
+    let term = |(n, coefficient): (usize, &Rational)| {
+        coefficient.clone() * Rational::from(i64::try_from(n).unwrap_or(i64::MAX))
+    };
     row.iter().enumerate().skip(1).map(term).collect()
 }
 
@@ -168,7 +170,7 @@ fn value(row: &[Rational], of: &[Rational], length: usize) -> CycleSeries {
 fn product(a: &[Rational], b: &[Rational], length: usize) -> CycleSeries {
     let term = |n: usize| {
         let pairs = (0..=n).filter_map(|i| Some(a.get(n - i)?.clone() * b.get(i)?.clone()));
-        pairs.fold(Rational::from(0), |sum, it| sum + it)
+        pairs.fold(Rational::from(0), |sum, term| sum + term)
     };
     (0..length).map(term).collect()
 }

@@ -117,8 +117,8 @@ fn loss(question: &AveragingQuestion, flow: &Flow, highest: usize) -> Vec<PiNumb
         let factor = PhaseFunction::constant(term.factor.clone().into());
         let factors = std::iter::repeat_n(&motion, term.position);
         let factors = factors.chain(std::iter::repeat_n(&velocity, term.velocity + 1));
-        let product =
-            factors.fold(PhaseSeries::from([((0, 0), factor)]), |product, it| along.times(&product, it));
+        let product = factors
+            .fold(PhaseSeries::from([((0, 0), factor)]), |product, series| along.times(&product, series));
         for ((n, _), part) in product {
             let half_turns = question.half_turns();
             let whole = part.integral().at_half_turns(half_turns).times_power_of_pi(-1);
@@ -136,7 +136,7 @@ fn in_amplitude(coefficients: &[PiNumber], amplitude: &Formula) -> Formula {
             1 => vec![amplitude.clone()],
             n => vec![amplitude.clone().pow(i64::try_from(n).unwrap_or(i64::MAX))],
         };
-        value.terms().map(|(pi, it)| term_with(it, pi, power.clone())).collect::<Vec<_>>()
+        value.terms().map(|(pi, coefficient)| term_with(coefficient, pi, power.clone())).collect::<Vec<_>>()
     });
     let terms: Vec<Formula> = terms.collect();
     if terms.is_empty() { number(0) } else { sum(terms) }

@@ -91,7 +91,7 @@ impl Flow {
 
     fn extend(&mut self, question: &AveragingQuestion, powers: PowerPair) -> Result<(), DerivationError> {
         let parts = self.parts(&question.flow, powers);
-        let forcing = parts.iter().fold(PhaseFunction::default(), |sum, it| sum.plus(&it.value));
+        let forcing = parts.iter().fold(PhaseFunction::default(), |sum, part| sum.plus(&part.value));
         let omega0 = question.omega0();
         let (growth, frequency) = secular(question, &forcing).ok_or(DerivationError::NoPolynomial)?;
         let wave = secular_wave(omega0, &growth, &frequency);
@@ -158,7 +158,7 @@ impl Flow {
         frequency.insert((0, 0), Polynomial::constant(flow.omega0.clone()));
         let one = alone((0, 0), Polynomial::constant(Rational::from(1)));
         let product = |factors: &[&Named]| {
-            let whole = factors.iter().fold(one.clone(), |whole, it| times(&whole, it, pair));
+            let whole = factors.iter().fold(one.clone(), |whole, factor| times(&whole, factor, pair));
             whole.get(&pair).cloned().unwrap_or_default()
         };
         let by_amplitude = |series: &Named| derivative(series);
@@ -271,9 +271,9 @@ fn names<V>(coefficients: &BTreeMap<PowerPair, V>, letters: &str) -> Named {
 /// The derivative with respect to the amplitude.
 fn derivative(series: &Named) -> Named {
     let mut lowered = Named::new();
-    for ((n, j), it) in series.iter().filter(|((n, _), _)| *n > 0) {
+    for ((n, j), value) in series.iter().filter(|((n, _), _)| *n > 0) {
         let degree = Rational::from(i64::try_from(*n).unwrap_or(i64::MAX));
-        lowered.insert((n - 1, *j), it.scaled(&degree));
+        lowered.insert((n - 1, *j), value.scaled(&degree));
     }
     lowered
 }

@@ -83,7 +83,7 @@ pub(super) fn law(question: &AveragingQuestion, coefficients: &BTreeMap<PowerPai
     pairs.sort_by_key(|(n, j)| (*j, *n));
     let terms = pairs.into_iter().flat_map(|pair| {
         let value = coefficients.get(pair).into_iter().flat_map(PiNumber::terms);
-        value.map(|(pi, it)| term_with(it, pi, powers(question, *pair))).collect::<Vec<_>>()
+        value.map(|(pi, coefficient)| term_with(coefficient, pi, powers(question, *pair))).collect::<Vec<_>>()
     });
     let terms: Vec<Formula> = terms.collect();
     if terms.is_empty() { Formula::from(0) } else { sum(terms) }
@@ -97,7 +97,7 @@ pub(super) fn times_omega0(question: &AveragingQuestion, exponent: isize, formul
 
 /// A symbol with several symbols as subscript, as in aₙⱼ.
 pub(super) fn below(name: Name, letters: &[&str]) -> Name {
-    let index = letters.iter().map(|it| letter(it)).reduce(|product, it| product * it);
+    let index = letters.iter().map(|subscript| letter(subscript)).reduce(|product, factor| product * factor);
     name.index(index.unwrap_or_else(|| Formula::from(0)))
 }
 

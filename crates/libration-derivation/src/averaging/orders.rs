@@ -82,8 +82,9 @@ fn heading(question: &AveragingQuestion, (n, j): (usize, usize)) -> String {
 }
 
 fn superscript(n: usize) -> String {
-    let digit =
-        |digit: char| digit.to_digit(10).and_then(|it| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(usize::try_from(it).ok()?));
+    let digit = |digit: char| {
+        digit.to_digit(10).and_then(|index| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(usize::try_from(index).ok()?))
+    };
     n.to_string().chars().filter_map(digit).collect()
 }
 

@@ -67,7 +67,7 @@ impl Along<'_> {
             let factor = PhaseFunction::constant(term.factor.clone().into());
             let start = PhaseSeries::from([((0, term.parameter), factor)]);
             let factors = std::iter::repeat_n(x, term.position).chain(std::iter::repeat_n(v, term.velocity));
-            let product = factors.fold(start, |product, it| self.times(&product, it));
+            let product = factors.fold(start, |product, series| self.times(&product, series));
             product.iter().for_each(|(powers, part)| self.add(&mut sum, *powers, part));
         }
         sum
@@ -133,9 +133,9 @@ pub fn agrees_with_library(
     // A coefficient of the phase is determined together with the next power of the amplitude.
     let same = |coefficients: &BTreeMap<PowerPair, PiNumber>, series: &Vec<Vec<PiSum>>, found_with: usize| {
         let rows = series.iter().enumerate();
-        rows.flat_map(|(j, row)| row.iter().enumerate().map(move |(n, it)| ((n, j), it)))
+        rows.flat_map(|(j, row)| row.iter().enumerate().map(move |(n, value)| ((n, j), value)))
             .filter(|((n, j), _)| question.asks_for((n + found_with, *j)))
-            .all(|(powers, it)| is(coefficients, powers, it))
+            .all(|(powers, value)| is(coefficients, powers, value))
     };
     let rates =
         same(&flow.growth, &library.amplitude_rate, 0) && same(&flow.frequency, &library.phase_rate, 1);

@@ -185,7 +185,9 @@ fn terms(force: &WeakForce, equilibrium: &Rational, highest: usize) -> Option<Ve
             let length = highest + 1;
             let series = at_zero.simplified().taylor_series(&Rationals, &x, equilibrium, length)?;
             let scale = Rational::from(-factorial(velocity) * factorial(parameter));
-            for (position, coefficient) in series.into_iter().enumerate().filter(|(_, it)| !it.is_zero()) {
+            for (position, coefficient) in
+                series.into_iter().enumerate().filter(|(_, value)| !value.is_zero())
+            {
                 let factor = coefficient.checked_div(&scale)?;
                 let [velocity, parameter] =
                     [velocity, parameter].map(|n| usize::try_from(n).unwrap_or(usize::MAX));

@@ -84,7 +84,10 @@ pub(super) fn pendulum(
     let per_unit = Rational::from(if n == 2 { -4 } else { -2 });
     let quotient = |k: usize| {
         let value = flow.growth.get(&(k, 1)).cloned().unwrap_or_default().times_power_of_pi(1);
-        value.to_rational().and_then(|it| it.checked_div(&per_unit)).unwrap_or_else(|| Rational::from(0))
+        value
+            .to_rational()
+            .and_then(|ratio| ratio.checked_div(&per_unit))
+            .unwrap_or_else(|| Rational::from(0))
     };
     let length = question.order + 1 - question.flow.lift;
     let coefficients: Vec<Rational> = (0..length).map(quotient).collect();

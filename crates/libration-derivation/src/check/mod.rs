@@ -245,8 +245,9 @@ pub(super) fn same_series_for_choices(
     // A sum of some hundred products of 256 bits is right to 70 digits.
     const LEAST: f64 = 1e-60;
     let floats = Floats { precision: PRECISION };
-    let rest =
-        |number: &BigFloat| Some(number.to_f64()).filter(|it| it.abs() > LEAST).map(|it| format!("{it:e}"));
+    let rest = |number: &BigFloat| {
+        Some(number.to_f64()).filter(|value| value.abs() > LEAST).map(|value| format!("{value:e}"))
+    };
     for choice in 0..choices {
         let series = ComparedSeries { variable, coefficients, given: &given(choice) };
         series.compared(floats, &rest, &|_, _| None, &statement)?;
@@ -291,7 +292,7 @@ pub(super) fn series_value(
 ) -> Result<Vec<Polynomial>, DerivationError> {
     let statement = Statement::from(formula.clone());
     let series = ComparedSeries { variable, coefficients, given };
-    if given.iter().any(|it| matches!(it, Given::Symbol(_))) {
+    if given.iter().any(|input| matches!(input, Given::Symbol(_))) {
         let (ring, values) = series.values(Polynomials, &symbolic, &statement)?;
         return side(&statement, formula, &ring, &values);
     }
@@ -330,7 +331,7 @@ impl ComparedSeries<'_> {
             compared = compared.min(other.len());
             let difference = ring.subtract(&first, &other);
             if let Some((power, rest)) =
-                difference.iter().map(rest).enumerate().find_map(|(n, it)| Some((n, it?)))
+                difference.iter().map(rest).enumerate().find_map(|(n, rest)| Some((n, rest?)))
             {
                 return Err(failed(statement, format!("its sides differ by {rest} in the power {power}")));
             }

@@ -63,7 +63,8 @@ pub(crate) fn laurent(sum_of: &LaurentPolynomial, of: &dyn Fn(&str) -> Formula) 
         let above: Vec<Formula> = powers.iter().filter(is_above).flat_map(written).collect();
         let below: Vec<Formula> = powers.iter().filter(|power| !is_above(power)).flat_map(written).collect();
         let size = factor.magnitude();
-        let [over, under] = [size.numerator(), size.denominator()].map(|it| it.parse::<Rational>().ok());
+        let [over, under] =
+            [size.numerator(), size.denominator()].map(|digits| digits.parse::<Rational>().ok());
         let one = Some(Rational::from(1));
         let with = |number: Option<Rational>, letters: Vec<Formula>, number_alone: bool| {
             let number =

@@ -30,7 +30,9 @@ impl Formula {
     pub(crate) fn parts(&self) -> Vec<&Self> {
         match self {
             Self::Number(_) | Self::Decimal(_) | Self::Pi | Self::Name(_) => vec![],
-            Self::Negate(it) | Self::Call(_, it) | Self::DoubleFactorial(it) | Self::Order(it) => vec![it],
+            Self::Negate(part) | Self::Call(_, part) | Self::DoubleFactorial(part) | Self::Order(part) => {
+                vec![part]
+            }
             Self::Sum(parts) | Self::Product(parts) | Self::Apply(_, parts) => parts.iter().collect(),
             Self::Fraction(a, b) | Self::Power(a, b) | Self::Agm(a, b) => vec![a, b],
             Self::Series { from, to, term, .. } => {

@@ -130,7 +130,8 @@ impl LowerOrders {
     /// The quantities known when a power is solved; the amplitude one power below is undetermined.
     fn new(question: &AveragingQuestion, orders: &[CycleOrder], n: usize) -> Self {
         let cycle = |m: usize| -> Open {
-            let forced = m.checked_sub(1).and_then(|below| orders.get(below)).map(|it| it.forced.clone());
+            let forced =
+                m.checked_sub(1).and_then(|below| orders.get(below)).map(|order| order.forced.clone());
             let forced = Open::from(forced.unwrap_or_default());
             match orders.get(m) {
                 None => forced.plus(&Open::wave()),
@@ -146,7 +147,7 @@ impl LowerOrders {
             first.into_iter().chain(orders.iter().map(|order| order.frequency.clone())).collect();
         let velocity = (0..n).map(|m| {
             let terms = (0..=m).map(|i| motion[i].slope().scaled(&frequency[m - i]));
-            terms.fold(Open::default(), |sum, it| sum.plus(&it))
+            terms.fold(Open::default(), |sum, term| sum.plus(&term))
         });
         let velocity = velocity.collect();
         Self { motion, velocity, frequency }
@@ -161,10 +162,10 @@ impl LowerOrders {
             (0..n).map(of).collect()
         };
         let not_zero = |list: &[Open]| {
-            let list: Vec<bool> = list.iter().map(|it| *it != Open::default()).collect();
+            let list: Vec<bool> = list.iter().map(|value| *value != Open::default()).collect();
             move |m: usize| list.get(m).copied().unwrap_or(false)
         };
-        let frequencies: Vec<bool> = self.frequency.iter().map(|it| !it.is_zero()).collect();
+        let frequencies: Vec<bool> = self.frequency.iter().map(|value| !value.is_zero()).collect();
         let mut w = names("w", &|m| frequencies.get(m).copied().unwrap_or(false));
         if let Some(first) = w.first_mut() {
             *first = Polynomial::constant(question.omega0().clone());
@@ -174,7 +175,7 @@ impl LowerOrders {
         let v = names("v", &is_fast);
         let one = vec![Polynomial::constant(Rational::from(1))];
         let product = |factors: &[&Vec<Polynomial>], shift: usize| {
-            let whole = factors.iter().fold(one.clone(), |whole, it| times(&whole, it, n));
+            let whole = factors.iter().fold(one.clone(), |whole, factor| times(&whole, factor, n));
             n.checked_sub(shift).and_then(|power| whole.get(power).cloned()).unwrap_or_default()
         };
         let mut parts = vec![(None, product(&[&w, &w, &curved], 0))];
@@ -219,7 +220,7 @@ fn variable(letters: &str, n: usize) -> Variable {
 fn times(a: &[Polynomial], b: &[Polynomial], last: usize) -> Vec<Polynomial> {
     let term = |n: usize| {
         let pairs = (0..=n).filter_map(|i| Some(a.get(i)?.clone() * b.get(n - i)?.clone()));
-        pairs.fold(Polynomial::zero(), |sum, it| sum + it)
+        pairs.fold(Polynomial::zero(), |sum, term| sum + term)
     };
     (0..=last).map(term).collect()
 }

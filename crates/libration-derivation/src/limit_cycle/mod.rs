@@ -1,7 +1,7 @@
 //! The derivation of a limit cycle: Lindstedt and Poincaré's method with two conditions at each power, for amplitude and frequency.
 
 mod cycle;
-mod known;
+mod library_cycle;
 mod open;
 mod steps;
 
@@ -10,7 +10,7 @@ use super::check::DerivationError;
 use super::document::{Block, Derivation};
 use super::prose::Prose;
 use cycle::Cycle;
-use known::Known;
+use library_cycle::LibraryCycle;
 use libration::expression::Equation;
 use libration::internals::progress::Watch;
 use libration::progress::{Interrupted, Progress, Stage};
@@ -52,7 +52,7 @@ pub fn limit_cycle(
     if !is_linear || question.flow.kinked || question.flow.lift > 0 {
         return Err(DerivationError::NoPolynomial);
     }
-    let library = match Known::new(&question, order, &watch.part()) {
+    let library = match LibraryCycle::new(&question, order, &watch.part()) {
         Err(_) if watch.is_stopped() => return Err(Interrupted.into()),
         outcome => outcome?,
     };

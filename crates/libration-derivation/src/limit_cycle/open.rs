@@ -93,7 +93,10 @@ impl Open {
                         let wave =
                             series(&PhaseFunction::term(key.0, key.1, key.2, Rational::from(1).into()), "τ");
                         let factors = if wave == Formula::from(1) { vec![power] } else { vec![power, wave] };
-                        value.terms().map(|(pi, it)| term_with(it, pi, factors.clone())).collect::<Vec<_>>()
+                        value
+                            .terms()
+                            .map(|(pi, coefficient)| term_with(coefficient, pi, factors.clone()))
+                            .collect::<Vec<_>>()
                     })
                     .collect(),
             })

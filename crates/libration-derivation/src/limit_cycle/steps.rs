@@ -212,7 +212,7 @@ fn of_products(question: &AveragingQuestion, products: &Polynomial) -> Formula {
         let factors = factors.map(|(variable, exponent)| {
             raised(named(variable).into(), usize::try_from(*exponent).unwrap_or(usize::MAX))
         });
-        match factors.reduce(|product, it| product * it) {
+        match factors.reduce(|product, power| product * power) {
             None => Formula::Number(factor.clone()),
             Some(product) => scaled(factor, product),
         }

@@ -40,8 +40,8 @@ impl Contributions {
             let exponents = [term.position, term.velocity];
             let power = power(&mut of_both, [&displacement, &velocity], exponents, question.order);
             let mut factors = Factors::new();
-            for (key, it) in power {
-                factors.insert(key, it * term.factor.clone());
+            for (key, value) in power {
+                factors.insert(key, value * term.factor.clone());
             }
             parts.push((term_formula(term, &question.displacement), factors));
             powers.push(Some(term.clone()));
@@ -152,8 +152,8 @@ fn ratio(question: &LindstedtQuestion) -> Factors {
 /// The factors of sin kτ in Δu′.
 fn velocity(question: &LindstedtQuestion, displacement: &Factors) -> Factors {
     let mut slope = Factors::new();
-    for ((n, k), it) in displacement.iter().filter(|((_, k), _)| *k > 0) {
-        slope.insert((*n, *k), it.scaled(&Rational::from(-i64::from(*k))));
+    for ((n, k), coefficient) in displacement.iter().filter(|((_, k), _)| *k > 0) {
+        slope.insert((*n, *k), coefficient.scaled(&Rational::from(-i64::from(*k))));
     }
     product(&ratio(question), &slope, question.order)
 }
@@ -186,13 +186,13 @@ fn power(
 /// The factors of Δ²u″ + u.
 fn linear(question: &LindstedtQuestion, displacement: &Factors, squared_ratio: &Factors) -> Factors {
     let mut second = Factors::new();
-    for ((n, k), it) in displacement {
+    for ((n, k), coefficient) in displacement {
         let factor = -i64::from(*k) * i64::from(*k);
-        second.insert((*n, *k), it.scaled(&Rational::from(factor)));
+        second.insert((*n, *k), coefficient.scaled(&Rational::from(factor)));
     }
     let mut sum = product(squared_ratio, &second, question.order);
-    for (key, it) in displacement {
-        add(&mut sum, *key, it.clone());
+    for (key, coefficient) in displacement {
+        add(&mut sum, *key, coefficient.clone());
     }
     sum
 }

@@ -47,7 +47,8 @@ fn frequency(
     match &expansion.omega0 {
         Some(root) => {
             let ring = LaurentPolynomials::new(root.letters().to_vec());
-            let products: Vec<LaurentPolynomial> = ratio.iter().map(|it| ring.multiply(root, it)).collect();
+            let products: Vec<LaurentPolynomial> =
+                ratio.iter().map(|term| ring.multiply(root, term)).collect();
             series_formula(question, &products, question.order)
         }
         None => omega0() * series_formula(question, ratio, question.order),
@@ -70,7 +71,8 @@ fn series_formula(question: &LindstedtQuestion, coefficients: &[LaurentPolynomia
             (n, formula) => formula * power(n),
         }
     };
-    let present = coefficients.iter().enumerate().take(next).filter(|(_, it)| !it.is_zero());
+    let present =
+        coefficients.iter().enumerate().take(next).filter(|(_, coefficient)| !coefficient.is_zero());
     sum(present.map(term).chain([order(power(next))]).collect())
 }
 

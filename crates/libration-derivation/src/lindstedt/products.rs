@@ -34,7 +34,7 @@ impl Products {
         letters: Polynomial,
     ) {
         let value = letters.clone() * ratio.clone() * term.factor.clone();
-        let value = numbers.iter().fold(value, |value, it| value.scaled(it));
+        let value = numbers.iter().fold(value, |value, number| value.scaled(number));
         if value.is_zero() {
             return;
         }
@@ -45,7 +45,7 @@ impl Products {
         if share.is_negative() {
             (first, share) = (-first, -share);
         }
-        let shown = [first, orderings, share].into_iter().filter(|it| *it != Rational::from(1));
+        let shown = [first, orderings, share].into_iter().filter(|factor| *factor != Rational::from(1));
         let symbols = if term.factor.to_constant().is_some() { None } else { of(&term.factor) };
         let factors = shown.map(Formula::Number).chain(symbols).chain(of(&ratio));
         self.add(factors.chain([Formula::from(&letters)]).collect(), value);
@@ -64,7 +64,7 @@ pub(super) fn linear(displacement: &Factors, squared_ratio: &Factors, (n, k): (u
     let minus_square = Rational::from(-i64::from(k) * i64::from(k));
     for ((m, _), coefficient) in displacement.iter().filter(|((m, j), _)| *j == k && *m <= n) {
         let letter = Formula::from(coefficient);
-        let Some(ratio) = squared_ratio.get(&(n - m, 0)).filter(|it| !it.is_zero()) else { continue };
+        let Some(ratio) = squared_ratio.get(&(n - m, 0)).filter(|value| !value.is_zero()) else { continue };
         let value = (ratio.clone() * coefficient.clone()).scaled(&minus_square);
         match (n == *m, k) {
             (true, 1) => products.sum = products.sum.clone() + value + coefficient.clone(),

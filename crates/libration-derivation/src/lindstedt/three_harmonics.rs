@@ -98,8 +98,8 @@ fn left_in_cosines(
 fn product(a: &[Rational], b: &[Rational]) -> Vec<Rational> {
     let half = Rational::new(1, 2).unwrap_or_else(|| Rational::from(0));
     let mut sum = vec![Rational::from(0); a.len()];
-    for (j, left) in a.iter().enumerate().filter(|(_, it)| !it.is_zero()) {
-        for (k, right) in b.iter().enumerate().filter(|(_, it)| !it.is_zero()) {
+    for (j, left) in a.iter().enumerate().filter(|(_, value)| !value.is_zero()) {
+        for (k, right) in b.iter().enumerate().filter(|(_, value)| !value.is_zero()) {
             let each = half.clone() * left.clone() * right.clone();
             for harmonic in [j.abs_diff(k), j + k] {
                 if let Some(sum) = sum.get_mut(harmonic) {

@@ -232,7 +232,8 @@ fn factors(cube: &Rational) -> [Polynomial; 2] {
     let squared = Polynomial::variable(ratio()).pow(2);
     let factor = |k: usize, square: i64| {
         let inertia = Polynomial::constant(Rational::from(1)) + squared.scaled(&Rational::from(-square));
-        let cubed = CUBE.iter().find(|it| it.0 == k).map_or_else(Polynomial::zero, |it| in_cube(it.1));
+        let cubed =
+            CUBE.iter().find(|entry| entry.0 == k).map_or_else(Polynomial::zero, |entry| in_cube(entry.1));
         inertia * Polynomial::variable(harmonic(k)) + cubed.scaled(cube)
     };
     [factor(1, 1).divide_exactly(&first).unwrap_or_else(Polynomial::zero), factor(3, 9)]

@@ -6,7 +6,8 @@ use libration::algebra::Rational;
 
 /// A number as a formula.
 pub fn number(value: &PiNumber) -> Formula {
-    let terms: Vec<Formula> = value.terms().map(|(power, it)| term_with(it, power, vec![])).collect();
+    let terms: Vec<Formula> =
+        value.terms().map(|(power, coefficient)| term_with(coefficient, power, vec![])).collect();
     if terms.is_empty() { Formula::from(0) } else { sum(terms) }
 }
 
@@ -32,7 +33,7 @@ impl Coefficient for PiNumber {
 pub fn series(function: &PhaseFunction, phase: &str) -> Formula {
     let of_key = |((power, k, wave), value): ((usize, usize, Wave), &PiNumber)| {
         let factors = factors(phase, power, k, wave);
-        let terms = value.terms().map(|(pi, it)| term_with(it, pi, factors.clone()));
+        let terms = value.terms().map(|(pi, coefficient)| term_with(coefficient, pi, factors.clone()));
         terms.collect::<Vec<Formula>>()
     };
     let terms: Vec<Formula> = function.terms().flat_map(of_key).collect();
@@ -66,14 +67,14 @@ pub(crate) fn term_with(coefficient: &Rational, power_of_pi: i32, factors: Vec<F
     let term = if power_of_pi < 0 {
         let [over, under] = [size.numerator(), size.denominator()]
             .map(|digits| digits.parse::<Rational>().unwrap_or_else(|_| Rational::from(0)));
-        let over = Some(over).filter(|it| *it != one || factors.is_empty());
+        let over = Some(over).filter(|number| *number != one || factors.is_empty());
         let over = over.into_iter().map(Formula::from).chain(factors);
-        let under = Some(under).filter(|it| *it != one).into_iter().map(Formula::from);
+        let under = Some(under).filter(|number| *number != one).into_iter().map(Formula::from);
         product(over.collect()) / product(under.chain([pi(-power_of_pi)]).collect())
     } else {
         let pi = (power_of_pi > 0).then(|| pi(power_of_pi));
         let rest: Vec<Formula> = pi.into_iter().chain(factors).collect();
-        let size = Some(size).filter(|it| *it != one || rest.is_empty());
+        let size = Some(size).filter(|number| *number != one || rest.is_empty());
         product(size.into_iter().map(Formula::from).chain(rest).collect())
     };
     if coefficient.is_negative() { negative(term) } else { term }

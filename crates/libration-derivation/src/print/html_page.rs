@@ -89,13 +89,13 @@ pub fn judgement_to_html(judgement: &Judgement) -> String {
 
 fn block(position: BlockPosition<'_>, block: &Block) -> String {
     match block {
-        Block::Paragraph(it) => format!("<p>{}</p>", prose(it)),
-        Block::Remark(it) => format!("<p class=\"remark\">{}</p>", prose(it)),
-        Block::Equation { number, equation: it } => equation(position, *number, it),
-        Block::Exercise { number, statement: it, is_comparable } => {
-            formula(position, *number, it, *is_comparable)
+        Block::Paragraph(sentences) => format!("<p>{}</p>", prose(sentences)),
+        Block::Remark(sentences) => format!("<p class=\"remark\">{}</p>", prose(sentences)),
+        Block::Equation { number, equation: checked } => equation(position, *number, checked),
+        Block::Exercise { number, statement: asked, is_comparable } => {
+            formula(position, *number, asked, *is_comparable)
         }
-        Block::Table(it) => table(it),
+        Block::Table(rows) => table(rows),
         Block::Details { summary, blocks } => {
             let mut inside = String::new();
             write_blocks(&mut inside, "", position, blocks, self::block);
@@ -105,7 +105,7 @@ fn block(position: BlockPosition<'_>, block: &Block) -> String {
 }
 
 fn prose(prose: &Prose) -> String {
-    sentence(prose, html, |it| format!("<math>{}</math>", mathml(&Style::Inline.formula(it))))
+    sentence(prose, html, |math| format!("<math>{}</math>", mathml(&Style::Inline.formula(math))))
 }
 
 fn equation(position: BlockPosition<'_>, number: usize, equation: &CheckedEquation) -> String {

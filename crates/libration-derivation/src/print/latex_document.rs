@@ -48,15 +48,15 @@ pub fn to_latex(derivation: &Derivation) -> String {
 
 fn block(position: BlockPosition<'_>, block: &Block) -> String {
     match block {
-        Block::Paragraph(it) => prose(it),
-        Block::Remark(it) => format!("\\begin{{remark}}\n{}\n\\end{{remark}}", prose(it)),
+        Block::Paragraph(sentences) => prose(sentences),
+        Block::Remark(sentences) => format!("\\begin{{remark}}\n{}\n\\end{{remark}}", prose(sentences)),
         Block::Equation { number, equation } => format!(
             "{}\n\\checked{{{}}}",
             formula(position, *number, equation.statement()),
             prose(&equation.check().to_prose())
         ),
         Block::Exercise { number, statement, .. } => formula(position, *number, statement),
-        Block::Table(it) => table(it),
+        Block::Table(rows) => table(rows),
         Block::Details { summary, blocks } => {
             let mut inside = format!("\\emph{{{}.}}\n", latex_text(summary));
             write_blocks(&mut inside, "\n", position, blocks, self::block);
@@ -71,7 +71,7 @@ fn formula(position: BlockPosition<'_>, number: usize, statement: &Statement) ->
 }
 
 fn prose(prose: &Prose) -> String {
-    sentence(prose, latex_text, |it| format!("${}$", inline_latex(it)))
+    sentence(prose, latex_text, |math| format!("${}$", inline_latex(math)))
 }
 
 /// A column for the subjects of the rows, and further columns of equal width with line breaks.

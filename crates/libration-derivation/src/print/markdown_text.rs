@@ -34,11 +34,11 @@ pub fn judgement_to_markdown(judgement: &Judgement) -> String {
 
 pub(super) fn block(position: BlockPosition<'_>, block: &Block) -> String {
     match block {
-        Block::Paragraph(it) => prose(it),
-        Block::Remark(it) => format!("> {}", prose(it)),
-        Block::Equation { number, equation: it } => equation(position, *number, it),
+        Block::Paragraph(sentences) => prose(sentences),
+        Block::Remark(sentences) => format!("> {}", prose(sentences)),
+        Block::Equation { number, equation: checked } => equation(position, *number, checked),
         Block::Exercise { number, statement, .. } => formula(position, *number, statement),
-        Block::Table(it) => table(it),
+        Block::Table(rows) => table(rows),
         Block::Details { summary, blocks } => {
             let mut inside = format!("<details>\n<summary>{}</summary>\n", markdown(summary));
             write_blocks(&mut inside, "\n", position, blocks, self::block);
@@ -72,7 +72,7 @@ pub(super) fn heading(step: &DerivationStep) -> String {
 }
 
 fn prose(prose: &Prose) -> String {
-    sentence(prose, markdown, |it| format!("${}$", inline_latex(it)))
+    sentence(prose, markdown, |math| format!("${}$", inline_latex(math)))
 }
 
 fn table(table: &DerivationTable) -> String {

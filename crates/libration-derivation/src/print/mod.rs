@@ -49,8 +49,8 @@ impl<'a> BlockPosition<'a> {
 /// A sentence, with separate functions for its texts and its formulas.
 fn sentence(prose: &Prose, text: fn(&str) -> String, formula: fn(&Formula) -> String) -> String {
     let span = |span: &Span| match span {
-        Span::Text(it) => text(it),
-        Span::Formula(it) => formula(it),
+        Span::Text(words) => text(words),
+        Span::Formula(math) => formula(math),
     };
     prose.0.iter().map(span).collect()
 }

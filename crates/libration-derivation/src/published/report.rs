@@ -42,7 +42,7 @@ pub(super) fn stated(
     let statement = Statement::defined(Formula::from(period_of(mark)) / small_swing_period(), ratio.clone());
     let catalogued = catalogued(key)?;
     trials.agrees_with(&statement, &ratio, |angle| catalogued.period_ratio(angle))?;
-    let leading_error = catalogued.leading_error().map(|it| (it.coefficient.clone(), it.power));
+    let leading_error = catalogued.leading_error().map(|error| (error.coefficient.clone(), error.power));
     Ok(CheckedEquation::new(statement, Check::Catalogued { key: key.to_owned(), leading_error }))
 }
 

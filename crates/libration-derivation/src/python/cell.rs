@@ -119,7 +119,7 @@ fn catalogued(statement: &Statement, leading_error: Option<&(Rational, u32)>) ->
 
 /// The code of a cell with the force and the harmonics that are kept.
 pub(crate) fn few_harmonics(formula: &TruncatedFormula) -> Option<String> {
-    let force = formula.force.iter().map(|it| expression(&Formula::Number(it.clone())));
+    let force = formula.force.iter().map(|coefficient| expression(&Formula::Number(coefficient.clone())));
     let harmonics: Vec<String> = formula.harmonics.iter().map(ToString::to_string).collect();
     Some(block([
         "# The force to its last power, and the harmonics that are kept.".to_owned(),
@@ -215,7 +215,7 @@ fn averaged(statement: &Statement, claim: &AveragedClaim) -> Option<String> {
 
 /// The code of a cell with the force of a quarter swing.
 pub(crate) fn quarter_swing(formula: &QuarterFormula) -> Option<String> {
-    let force = formula.force.iter().map(|it| expression(&Formula::Number(it.clone())));
+    let force = formula.force.iter().map(|coefficient| expression(&Formula::Number(coefficient.clone())));
     Some(block([
         "# The factors of the second and higher powers in the force.".to_owned(),
         format!("quarter = Quarter([{}])", force.collect::<Option<Vec<String>>>()?.join(", ")),

@@ -57,7 +57,7 @@ fn written(formula: &Formula) -> Option<(String, Level)> {
         }
         Formula::Pi => ("pi".to_owned(), Level::Atom),
         Formula::Name(name) => (identifier(name)?, Level::Atom),
-        Formula::Negate(it) => (format!("-{}", at_least(Level::Product, it)?), Level::Product),
+        Formula::Negate(operand) => (format!("-{}", at_least(Level::Product, operand)?), Level::Product),
         Formula::Sum(terms) => {
             let terms: Option<Vec<String>> =
                 terms.iter().map(|term| at_least(Level::Product, term)).collect();
@@ -65,7 +65,7 @@ fn written(formula: &Formula) -> Option<(String, Level)> {
         }
         Formula::Product(factors) => {
             let level = |index| if index == 0 { Level::Product } else { Level::Unary };
-            let factors = factors.iter().enumerate().map(|(index, it)| at_least(level(index), it));
+            let factors = factors.iter().enumerate().map(|(index, factor)| at_least(level(index), factor));
             (factors.collect::<Option<Vec<String>>>()?.join("*"), Level::Product)
         }
         Formula::Fraction(over, under) => {
@@ -88,8 +88,8 @@ fn written(formula: &Formula) -> Option<(String, Level)> {
         Formula::Series { .. } | Formula::Integral { .. } | Formula::Derivative { .. } => {
             (with_own_name(formula)?, Level::Atom)
         }
-        Formula::DoubleFactorial(it) => call("double_factorial", &[it])?,
-        Formula::Order(it) => call("O", &[it])?,
+        Formula::DoubleFactorial(argument) => call("double_factorial", &[argument])?,
+        Formula::Order(argument) => call("O", &[argument])?,
     })
 }
 

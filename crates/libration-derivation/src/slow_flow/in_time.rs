@@ -77,8 +77,9 @@ fn amplitude(
         .map(|text| text.as_ref().map(|text| subject.formula(text)).transpose());
     let (growth, constant, ratio) = (growth?, constant?, ratio?);
     let time = letter("t");
-    let rate =
-        |of: Formula| sum(growth.iter().map(|it| times(it, of.clone())).chain(constant.clone()).collect());
+    let rate = |of: Formula| {
+        sum(growth.iter().map(|factor| times(factor, of.clone())).chain(constant.clone()).collect())
+    };
     let first = raised(&start(&a));
     let solution = match (&growth, &constant, ratio) {
         (Some(growth), Some(constant), ratio) => {
@@ -86,9 +87,10 @@ fn amplitude(
             (first + ratio.clone()) * exp(times(growth, time)) + opposite(ratio)
         }
         (Some(growth), None, _) => first * exp(times(growth, time)),
-        (None, constant, _) => {
-            sum([first].into_iter().chain(constant.iter().map(|it| times(it, time.clone()))).collect())
-        }
+        (None, constant, _) => sum([first]
+            .into_iter()
+            .chain(constant.iter().map(|factor| times(factor, time.clone())))
+            .collect()),
     };
     let linear = Statement::equal(derivative(raised(&a), "t"), rate(raised(&a)));
     let formula = if motion.power == 1 { solution.clone() } else { root(solution.clone(), motion.power) };

@@ -220,7 +220,7 @@ fn means(subject: &SlowFlowSubject, step: DerivationStep) -> Result<DerivationSt
     let mut equations = vec![];
     for (wave, name, mean) in [(1, a.clone().prime(), growth), (0, phi.prime(), turning)] {
         // An integral that is zero cannot be compared with its size.
-        let acts = |term: &SmallTerm| subject.read(&term.resonant[wave]).is_ok_and(|it| !it.vanishes());
+        let acts = |term: &SmallTerm| subject.read(&term.resonant[wave]).is_ok_and(|value| !value.vanishes());
         if subject.steps.terms.iter().any(acts) {
             equations.push(trials.compare_choices(Statement::equal(name, mean))?);
         }

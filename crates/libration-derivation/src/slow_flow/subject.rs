@@ -257,7 +257,8 @@ impl SlowFlowSubject {
             (is_linear && !zero.vanishes())
                 .then(|| -self.written(&zero) / (self.written(&one) - self.written(&zero)))
         };
-        let Some((symbol, value)) = free.iter().find_map(|it| Some((it, root(&growth, it)?))) else {
+        let Some((symbol, value)) = free.iter().find_map(|symbol| Some((symbol, root(&growth, symbol)?)))
+        else {
             return Ok(None);
         };
         let Some(sigma) = root(&turning, detuning) else { return Ok(None) };

@@ -123,7 +123,7 @@ fn product(a: &[PhaseFunction], b: &[PhaseFunction], highest: usize) -> Vec<Phas
     let each = |n: usize| {
         (0..=n)
             .filter_map(|m| Some(a.get(m)?.times(b.get(n - m)?)))
-            .fold(PhaseFunction::default(), |sum, it| sum.plus(&it))
+            .fold(PhaseFunction::default(), |sum, term| sum.plus(&term))
     };
     (0..=highest).map(each).collect()
 }

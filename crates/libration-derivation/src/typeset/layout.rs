@@ -59,26 +59,26 @@ impl Style {
             Formula::Number(value) => self.number(value),
             Formula::Decimal(value) => decimal(value),
             Formula::Pi => Layout::Letter("π".to_owned()),
-            Formula::Name(it) => self.name(it),
-            Formula::Negate(it) => {
-                Layout::Row(vec![Layout::Prefix('−'), self.at_least(Precedence::Product, it)])
+            Formula::Name(name) => self.name(name),
+            Formula::Negate(operand) => {
+                Layout::Row(vec![Layout::Prefix('−'), self.at_least(Precedence::Product, operand)])
             }
             Formula::Sum(terms) => self.sum(terms),
             Formula::Product(factors) => self.product(factors),
             Formula::Fraction(over, under) => self.fraction(over, under),
             Formula::Power(base, exponent) => self.power(base, exponent),
             Formula::Call(function, argument) => self.call(*function, None, argument),
-            Formula::Apply(it, arguments) => self.apply(self.name(it), arguments),
+            Formula::Apply(name, arguments) => self.apply(self.name(name), arguments),
             Formula::Agm(a, b) => self.apply(Layout::Word("agm".to_owned()), [&**a, &**b]),
             Formula::Series { index, from, to, term } => self.series(index, from, to.as_deref(), term),
             Formula::Integral { variable, from, to, integrand } => {
                 self.integral(variable, from, to, integrand)
             }
             Formula::Derivative { of, by } => self.derivative(of, by),
-            Formula::DoubleFactorial(it) => {
-                Layout::Row(vec![self.at_least(Precedence::Atom, it), Layout::Suffix("!!")])
+            Formula::DoubleFactorial(argument) => {
+                Layout::Row(vec![self.at_least(Precedence::Atom, argument), Layout::Suffix("!!")])
             }
-            Formula::Order(it) => self.apply(Layout::Letter("O".to_owned()), [&**it]),
+            Formula::Order(argument) => self.apply(Layout::Letter("O".to_owned()), [&**argument]),
         }
     }
 

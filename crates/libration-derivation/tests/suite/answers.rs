@@ -27,12 +27,12 @@ fn typed(formula: &Formula) -> String {
         Formula::Number(value) => value.to_string(),
         Formula::Pi => "pi".to_owned(),
         Formula::Name(name) => typed_name(name),
-        Formula::Negate(it) => format!("-({})", typed(it)),
+        Formula::Negate(operand) => format!("-({})", typed(operand)),
         Formula::Sum(parts) => joined(parts, "+"),
         Formula::Product(parts) => joined(parts, "*"),
         Formula::Fraction(over, under) => format!("({})/({})", typed(over), typed(under)),
         Formula::Power(base, exponent) => format!("({})^({})", typed(base), typed(exponent)),
-        Formula::Call(function, it) => format!("{}({})", function.name(), typed(it)),
+        Formula::Call(function, argument) => format!("{}({})", function.name(), typed(argument)),
         other => panic!("{other:?}"),
     }
 }
@@ -59,7 +59,9 @@ fn results(exercises: &Derivation) -> Vec<(String, &Formula)> {
     let result = |statement: &'_ Statement| statement.rest.last().is_none_or(|(_, side)| *side == zero);
     all.into_iter()
         .filter(|(number, _)| comparable.contains(number))
-        .map(|(number, it)| (number, if result(it) { &it.first } else { &it.rest.last().unwrap().1 }))
+        .map(|(number, statement)| {
+            (number, if result(statement) { &statement.first } else { &statement.rest.last().unwrap().1 })
+        })
         .collect()
 }
 

@@ -56,8 +56,8 @@ fn the_published_square_of_the_velocity_is_no_damping() {
     let equation = "x'' + c*x'^2 + sin(x) = 0".parse().unwrap();
     let flow = slow_flow(&equation, None, 6, 4, &Gauge::XMax, &Quiet).unwrap();
     assert!(flow.amplitude_rate.iter().flatten().all(libration::algebra::PiSum::is_zero));
-    let (_, own) = solved("x'' + c*x'^2 + sin(x) = 0", [6, 2]);
-    assert!(own.growth.is_empty() && own.frequency.contains_key(&(2, 2)));
+    let (_, solution) = solved("x'' + c*x'^2 + sin(x) = 0", [6, 2]);
+    assert!(solution.growth.is_empty() && solution.frequency.contains_key(&(2, 2)));
     assert!(page("x'' + c*x'*abs(x') + sin(x) = 0", [3, 1]).unwrap().contains("e^{2cx}"));
 }
 
@@ -67,7 +67,7 @@ fn viscous_damping_of_a_linear_spring_is_that_of_the_textbooks() {
     let (_, flow) = solved("x'' + c*x' + x = 0", [1, 4]);
     let fraction = |a, b| PiNumber::from(Rational::new(a, b).unwrap());
     assert_eq!(
-        flow.growth.iter().map(|(at, it)| (*at, it.clone())).collect::<Vec<_>>(),
+        flow.growth.iter().map(|(at, coefficient)| (*at, coefficient.clone())).collect::<Vec<_>>(),
         [((1, 1), fraction(-1, 2))]
     );
     for (j, value) in [(0, (1, 1)), (2, (-1, 8)), (4, (-1, 128))] {
@@ -83,20 +83,20 @@ fn a_coefficient_that_is_changed_is_found() {
         let (question, flow) = solved(&equation, [3, 2]);
         assert!(put_back::check(&question, &flow).is_ok());
         let places = |wanted: &dyn Fn(&Flow) -> Vec<(usize, usize)>| wanted(&flow);
-        for place in places(&|flow| flow.growth.keys().copied().filter(|(n, _)| *n <= 3).collect()) {
+        for powers in places(&|flow| flow.growth.keys().copied().filter(|(n, _)| *n <= 3).collect()) {
             let (_, mut wrong) = solved(&equation, [3, 2]);
-            let value = wrong.growth[&place].scaled(&Rational::new(1001, 1000).unwrap());
-            wrong.growth.insert(place, value);
-            assert!(put_back::check(&question, &wrong).is_err(), "{damping} a {place:?}");
+            let value = wrong.growth[&powers].scaled(&Rational::new(1001, 1000).unwrap());
+            wrong.growth.insert(powers, value);
+            assert!(put_back::check(&question, &wrong).is_err(), "{damping} a {powers:?}");
             let other = put_back::agrees_with_library(&question, &wrong, &Watch::new(&Quiet));
-            assert!(matches!(other, Err(DerivationError::Disagreement { .. })), "{damping} a {place:?}");
+            assert!(matches!(other, Err(DerivationError::Disagreement { .. })), "{damping} a {powers:?}");
         }
-        for place in places(&|flow| flow.motion.keys().copied().filter(|key| *key != (1, 0)).collect()) {
+        for powers in places(&|flow| flow.motion.keys().copied().filter(|key| *key != (1, 0)).collect()) {
             let (_, mut wrong) = solved(&equation, [3, 2]);
             let more = PhaseFunction::sine().scaled(&Rational::new(1, 1000).unwrap().into());
-            let value = wrong.motion[&place].plus(&more);
-            wrong.motion.insert(place, value);
-            assert!(put_back::check(&question, &wrong).is_err(), "{damping} x {place:?}");
+            let value = wrong.motion[&powers].plus(&more);
+            wrong.motion.insert(powers, value);
+            assert!(put_back::check(&question, &wrong).is_err(), "{damping} x {powers:?}");
         }
     }
 }
@@ -135,8 +135,8 @@ fn a_derivation_that_is_stopped_keeps_its_steps() {
             asked.set(asked.get() + 1);
             if asked.get() > limit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let known = averaging(&equation, None, 1, 1, &progress);
-        known.map(|known| known.steps.len())
+        let outcome = averaging(&equation, None, 1, 1, &progress);
+        outcome.map(|derivation| derivation.steps.len())
     };
     assert!(matches!(steps_after(0), Err(DerivationError::Interrupted(_))));
     let whole = steps_after(usize::MAX).unwrap();

@@ -28,18 +28,18 @@ fn equations(derivation: &Derivation) -> Vec<&CheckedEquation> {
 
 /// The formulas of steps with their numbers, including folded ones.
 fn numbered(steps: &[DerivationStep]) -> Vec<(String, &CheckedEquation)> {
-    fn in_blocks<'a>(id: &str, blocks: &'a [Block], found: &mut Vec<(String, &'a CheckedEquation)>) {
+    fn in_blocks<'a>(id: &str, blocks: &'a [Block], equations: &mut Vec<(String, &'a CheckedEquation)>) {
         for block in blocks {
             match block {
-                Block::Equation { number, equation } => found.push((format!("{id}.{number}"), equation)),
-                Block::Details { blocks, .. } => in_blocks(id, blocks, found),
+                Block::Equation { number, equation } => equations.push((format!("{id}.{number}"), equation)),
+                Block::Details { blocks, .. } => in_blocks(id, blocks, equations),
                 _ => {}
             }
         }
     }
-    let mut found = vec![];
-    steps.iter().for_each(|step| in_blocks(&step.id, &step.blocks, &mut found));
-    found
+    let mut equations = vec![];
+    steps.iter().for_each(|step| in_blocks(&step.id, &step.blocks, &mut equations));
+    equations
 }
 
 fn every_road() -> Vec<Derivation> {

@@ -19,7 +19,7 @@ fn derivations() -> Vec<(&'static str, Derivation)> {
     let damped = "theta'' + c*theta' + sin(theta) = 0".parse().unwrap();
     let rubbed = "x'' + x + c*x'*abs(x') = 0".parse().unwrap();
     let excited = "x'' - mu*(1 - x^2)*x' + x = 0".parse().unwrap();
-    let own = vec![
+    let documents = vec![
         ("elliptic", elliptic(None).unwrap()),
         ("first_correction", first_correction(None).unwrap()),
         ("formulas", formulas(None).unwrap()),
@@ -32,23 +32,24 @@ fn derivations() -> Vec<(&'static str, Derivation)> {
         ("driven", crate::symbolic_slow_flow::duffing()),
         ("limit-cycle", limit_cycle(&excited, None, 3, &Quiet).unwrap()),
     ];
-    let exercises: Vec<_> = own.iter().map(|(name, it)| (*name, it.clone().exercises())).collect();
-    own.into_iter().chain(exercises).collect()
+    let exercises: Vec<_> =
+        documents.iter().map(|(name, document)| (*name, document.clone().exercises())).collect();
+    documents.into_iter().chain(exercises).collect()
 }
 
 /// The columns of a specification such as `r>{\raggedright}p{0.35\textwidth}`: letters outside braces.
 fn columns(specification: &str) -> usize {
     let mut depth = 0;
-    let mut found = 0;
+    let mut columns = 0;
     for letter in specification.chars() {
         match letter {
             '{' => depth += 1,
             '}' => depth -= 1,
-            'r' | 'l' | 'c' | 'p' if depth == 0 => found += 1,
+            'r' | 'l' | 'c' | 'p' if depth == 0 => columns += 1,
             _ => {}
         }
     }
-    found
+    columns
 }
 
 /// The text up to the closing brace of a group whose opening brace was consumed, and the rest.
@@ -108,14 +109,16 @@ fn documents_compile_where_pdflatex_is_present() {
 /// A check before the answers would reveal them. Formulas of the catalogue are not results, and keep their checks.
 #[test]
 fn notebooks_of_exercises_compute_nothing_before_their_answers() {
-    let exercises =
-        derivations().into_iter().filter(|(name, it)| *name != "formulas" && !it.answers.is_empty());
+    let exercises = derivations()
+        .into_iter()
+        .filter(|(name, derivation)| *name != "formulas" && !derivation.answers.is_empty());
     for (name, derivation) in exercises {
         let notebook = to_notebook(&derivation);
         let (exercises, answers) = notebook.split_once("## Answers").unwrap();
         let cells = exercises.matches("\"cell_type\": \"code\"").count();
-        let own = ["\"id\": \"exercise-", "\"id\": \"comparison\""].map(|id| exercises.matches(id).count());
-        assert_eq!(cells, own.iter().sum::<usize>(), "{name}");
+        let headings =
+            ["\"id\": \"exercise-", "\"id\": \"comparison\""].map(|id| exercises.matches(id).count());
+        assert_eq!(cells, headings.iter().sum::<usize>(), "{name}");
         assert!(answers.contains("\"answer-"), "{name}");
     }
 }

@@ -34,10 +34,10 @@ fn every_single_coefficient_matters_to_the_equation_of_motion() {
         let order = if key == "pendulum" { 5 } else { 4 };
         let right = motion(&question, &question.solution);
         assert!(solves(&question, &right).is_ok());
-        for (place, (k, series)) in right.harmonics.iter().enumerate() {
+        for (index, (k, series)) in right.harmonics.iter().enumerate() {
             for n in (0..series.len()).filter(|n| *k != 1 || *n == 0) {
                 let mut wrong = motion(&question, &question.solution);
-                wrong.harmonics[place].1[n] = series[n].clone() + millionth();
+                wrong.harmonics[index].1[n] = series[n].clone() + millionth();
                 assert!(solves(&question, &wrong).is_err(), "{key} {k} {n}");
             }
         }
@@ -161,16 +161,19 @@ fn contributions_become_the_conditions() {
         let contributions = Contributions::new(&question);
         for condition in question.open.conditions() {
             let lower = |unknown: &Variable| {
-                let own = unknown.letters() == "d" && unknown.index() == condition.order.checked_sub(1);
-                let own = own || unknown.letters() != "d" && unknown.index() == Some(condition.order);
-                if own { None } else { question.open.solution().get(unknown) }
+                let is_new_ratio =
+                    unknown.letters() == "d" && unknown.index() == condition.order.checked_sub(1);
+                let is_new =
+                    is_new_ratio || unknown.letters() != "d" && unknown.index() == Some(condition.order);
+                if is_new { None } else { question.open.solution().get(unknown) }
             };
             let sum = contributions.sum(condition.order, condition.harmonic);
-            let found = sum
+            let solved = sum
                 .variables()
                 .into_iter()
                 .filter_map(|variable| Some((lower(&variable)?.clone(), variable)));
-            let inserted = found.fold(sum.clone(), |sum, (value, it)| sum.substitute(&it, &value));
+            let inserted =
+                solved.fold(sum.clone(), |sum, (value, variable)| sum.substitute(&variable, &value));
             let alone = condition.polynomial.terms().count() == 1 && condition.harmonic != 1;
             let expected = if alone { Polynomial::zero() } else { condition.polynomial.clone() };
             assert_eq!(inserted, expected, "{key} {} {}", condition.order, condition.harmonic);
@@ -211,10 +214,10 @@ fn the_elimination_of_two_harmonics_is_checked() {
         change(&mut elimination, off());
         assert!(elimination.check().is_err());
     };
-    wrong(|it, off| it.conditions[0] = it.conditions[0].clone() + off);
-    wrong(|it, off| it.conditions[1] = it.conditions[1].clone() + off);
-    wrong(|it, off| it.ratio_squared = it.ratio_squared.clone() + off);
-    wrong(|it, off| it.left = it.left.clone() + off);
+    wrong(|elimination, off| elimination.conditions[0] = elimination.conditions[0].clone() + off);
+    wrong(|elimination, off| elimination.conditions[1] = elimination.conditions[1].clone() + off);
+    wrong(|elimination, off| elimination.ratio_squared = elimination.ratio_squared.clone() + off);
+    wrong(|elimination, off| elimination.left = elimination.left.clone() + off);
 }
 
 #[test]
@@ -223,10 +226,10 @@ fn the_equations_of_three_harmonics_are_checked() {
         let question = question(key, 5);
         let conditions = TruncatedSystem::new(&question.force, 3, 5).unwrap().conditions();
         assert!(check_three_harmonics(&question, &conditions).is_ok(), "{key}");
-        for place in 0..3 {
+        for index in 0..3 {
             let mut wrong = conditions.clone();
-            wrong[place] = wrong[place].clone() + Polynomial::variable("a5");
-            assert!(check_three_harmonics(&question, &wrong).is_err(), "{key} {place}");
+            wrong[index] = wrong[index].clone() + Polynomial::variable("a5");
+            assert!(check_three_harmonics(&question, &wrong).is_err(), "{key} {index}");
         }
     }
 }

@@ -51,7 +51,7 @@ fn results(blocks: &[Block]) -> Vec<String> {
             let statement = equation.statement();
             let is_zero = |formula: &Formula| formula_latex(formula) == "0";
             let all_are_zero = statement.rest.iter().all(|(_, side)| is_zero(side));
-            let sides = statement.rest.iter().map(|(_, side)| side).filter(|it| !is_zero(it));
+            let sides = statement.rest.iter().map(|(_, side)| side).filter(|side| !is_zero(side));
             let first = all_are_zero.then_some(&statement.first);
             sides.chain(first).filter(|side| !matches!(side, Formula::Order(_))).map(formula_latex).collect()
         }
@@ -75,14 +75,14 @@ fn joined(notebook: &str) -> String {
 /// A result that is a whole right side above the line would be read there. Names and bare numbers, of which exercises speak, do not count.
 #[test]
 fn exercises_do_not_contain_their_answers_above_the_line() {
-    let (mut searched, mut found) = (0, 0);
+    let (mut searched, mut matched) = (0, 0);
     for (name, derivation) in DERIVATIONS.iter() {
         let exercises = derivation.clone().exercises();
         let results: Vec<String> =
             exercises.answers.iter().flat_map(|answer| results(&answer.blocks)).collect();
         let notebook = joined(&to_notebook(&exercises));
         let (above, below) = notebook.split_once("##Answers").unwrap_or((&notebook, ""));
-        let is_long = |string: &&String| string.split("+O").next().is_some_and(|it| it.len() > 12);
+        let is_long = |string: &&String| string.split("+O").next().is_some_and(|start| start.len() > 12);
         for result in results
             .iter()
             .filter(is_long)
@@ -95,11 +95,11 @@ fn exercises_do_not_contain_their_answers_above_the_line() {
                 "{name}: {result}"
             );
             searched += 1;
-            found += usize::from(below.contains(&result));
+            matched += usize::from(below.contains(&result));
         }
     }
     // The search finds what stands below, but for formulas that are broken within brackets.
-    assert!(searched > 500 && found * 20 > searched * 19, "{found} of {searched}");
+    assert!(searched > 500 && matched * 20 > searched * 19, "{matched} of {searched}");
 }
 
 #[test]

@@ -8,9 +8,10 @@ use libration_derivation::paper::{Document, Row, StatementVerdict, rows, rows_wh
 use std::collections::BTreeSet;
 
 fn statement(document: Document, label: &str) -> Statement {
-    let of_document = statements().into_iter().filter(|(own, _)| *own == document);
-    let found = of_document.map(|(_, statement)| statement).find(|it| it.label.starts_with(label));
-    found.unwrap_or_else(|| panic!("{label} is missing"))
+    let of_document = statements().into_iter().filter(|(source, _)| *source == document);
+    let statement =
+        of_document.map(|(_, statement)| statement).find(|statement| statement.label.starts_with(label));
+    statement.unwrap_or_else(|| panic!("{label} is missing"))
 }
 
 fn row(document: Document, label: &str) -> Row {
@@ -94,15 +95,15 @@ fn every_numbered_equation_has_a_row_of_its_own() {
 
 #[test]
 fn the_equations_that_are_not_verified_are_these() {
-    let found = |document: Document, verdict: StatementVerdict| {
+    let labels = |document: Document, verdict: StatementVerdict| {
         let rows =
             rows().into_iter().filter(move |row| row.document == document && row.finding.verdict == verdict);
         rows.map(|row| row.label).filter(|label| label.starts_with('(')).collect::<Vec<_>>()
     };
-    assert_eq!(found(Document::BlackVel, StatementVerdict::Wrong), ["(25)", "(27)", "(54)", "(B4)"]);
-    assert_eq!(found(Document::BlackVel, StatementVerdict::Typo), ["(53)", "(C1)"]);
-    assert_eq!(found(Document::Cote, StatementVerdict::Wrong), ["(24)", "(25)", "(35)"]);
-    assert_eq!(found(Document::Cote, StatementVerdict::Typo), ["(22)", "(34)"]);
+    assert_eq!(labels(Document::BlackVel, StatementVerdict::Wrong), ["(25)", "(27)", "(54)", "(B4)"]);
+    assert_eq!(labels(Document::BlackVel, StatementVerdict::Typo), ["(53)", "(C1)"]);
+    assert_eq!(labels(Document::Cote, StatementVerdict::Wrong), ["(24)", "(25)", "(35)"]);
+    assert_eq!(labels(Document::Cote, StatementVerdict::Typo), ["(22)", "(34)"]);
 }
 
 /// Statements with the printed error corrected, which changes the verdict.
@@ -249,35 +250,35 @@ fn changes(printed: &[&str]) -> Vec<(String, Vec<String>)> {
 
 fn with_another_number(text: &str) -> Vec<String> {
     let with = |(from, to): (usize, usize), value: i64| format!("{}({value}){}", &text[..from], &text[to..]);
-    let both = |place: (usize, usize)| {
-        let value: i64 = text[place.0..place.1].parse().unwrap();
-        [with(place, value + 1), with(place, value - 1)]
+    let both = |range: (usize, usize)| {
+        let value: i64 = text[range.0..range.1].parse().unwrap();
+        [with(range, value + 1), with(range, value - 1)]
     };
     numbers_in(text).into_iter().flat_map(both).collect()
 }
 
 /// The byte ranges of the numbers that are not part of a name.
 fn numbers_in(text: &str) -> Vec<(usize, usize)> {
-    let (mut found, mut start, mut before) = (Vec::new(), None, ' ');
-    for (place, letter) in text.char_indices().chain([(text.len(), ' ')]) {
+    let (mut numbers, mut start, mut before) = (Vec::new(), None, ' ');
+    for (index, letter) in text.char_indices().chain([(text.len(), ' ')]) {
         if letter.is_ascii_digit() && !before.is_ascii_alphanumeric() {
-            start = Some(place);
+            start = Some(index);
         }
         if let Some(from) = start.filter(|_| !letter.is_ascii_digit()) {
-            found.push((from, place));
+            numbers.push((from, index));
             start = None;
         }
         before = letter;
     }
-    found
+    numbers
 }
 
 fn with_another_sign(text: &str) -> Vec<String> {
     const EXCHANGED: [(&str, &str); 5] =
         [(" + ", " - "), (" - ", " + "), ("sin(", "cos("), ("cos(", "sin("), ("*", "/")];
     let exchange = |(from, to): (&'static str, &'static str)| {
-        let places = text.match_indices(from).map(|(place, _)| place);
-        places.map(move |place| format!("{}{to}{}", &text[..place], &text[place + from.len()..]))
+        let places = text.match_indices(from).map(|(start, _)| start);
+        places.map(move |start| format!("{}{to}{}", &text[..start], &text[start + from.len()..]))
     };
     EXCHANGED.into_iter().flat_map(exchange).collect()
 }

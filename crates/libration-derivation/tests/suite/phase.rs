@@ -16,7 +16,7 @@ fn mixed() -> PhaseFunction {
         term(0, 3, Wave::Sine, 4),
     ]
     .iter()
-    .fold(PhaseFunction::default(), |sum, it| sum.plus(it))
+    .fold(PhaseFunction::default(), |sum, part| sum.plus(part))
 }
 
 /// The value of a formula at a phase.
@@ -39,12 +39,13 @@ fn products_and_values_are_those_of_the_functions() {
     let (a, b) = (mixed(), mixed().slope());
     let near = |value: f64, expected: f64| (value - expected).abs() < 1e-12 * expected.abs().max(1.0);
     for phase in [3, 19, -22].map(tenths) {
-        let [product, left, right] = [&a.times(&b), &a, &b].map(|it| value(&series(it, "ψ"), &phase));
+        let [product, left, right] =
+            [&a.times(&b), &a, &b].map(|function| value(&series(function, "ψ"), &phase));
         assert!(near(product, left * right), "{phase:?}");
     }
-    for (half_turns, place) in [(1, Formula::Pi), (2, 2 * Formula::Pi)] {
-        let end = value(&number(&a.at_half_turns(half_turns)), &place);
-        assert!(near(end, value(&series(&a, "ψ"), &place)), "{half_turns}");
+    for (half_turns, phase) in [(1, Formula::Pi), (2, 2 * Formula::Pi)] {
+        let end = value(&number(&a.at_half_turns(half_turns)), &phase);
+        assert!(near(end, value(&series(&a, "ψ"), &phase)), "{half_turns}");
     }
 }
 
@@ -53,7 +54,7 @@ fn numbers_with_pi_below_the_line_stand_on_one_fraction_line() {
     let latex = |over, under, power| {
         let value = PiNumber::from(Rational::new(over, under).unwrap()).times_power_of_pi(power);
         let function = PhaseFunction::term(1, 1, Wave::Cosine, value.clone());
-        [number(&value), series(&function, "ψ")].map(|it| formula_latex(&it))
+        [number(&value), series(&function, "ψ")].map(|formula| formula_latex(&formula))
     };
     assert_eq!(latex(-4, 3, -1), [r"-\frac{4}{3\pi }", r"-\frac{4\psi \,\cos \psi }{3\pi }"]);
     assert_eq!(latex(1, 1, -2)[0], r"\frac{1}{\pi ^{2}}");

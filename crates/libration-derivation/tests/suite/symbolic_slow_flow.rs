@@ -80,10 +80,10 @@ fn sides(derivation: &Derivation) -> Vec<String> {
 
 /// Asserts that the derivation of each case contains these formulas or words.
 fn assert_contained(expected: &[(usize, &[&str])]) {
-    for (place, parts) in expected {
-        let page = to_markdown(&derived(&CASES[*place]).unwrap());
+    for (case, parts) in expected {
+        let page = to_markdown(&derived(&CASES[*case]).unwrap());
         for part in *parts {
-            assert!(page.contains(part), "{}: {part}: {page}", CASES[*place].0);
+            assert!(page.contains(part), "{}: {part}: {page}", CASES[*case].0);
         }
     }
 }

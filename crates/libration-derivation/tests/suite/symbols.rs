@@ -183,8 +183,8 @@ fn frequencies_with_symbols_and_velocities_are_those_of_sympy() {
         assert!(page.contains(row.printed), "{}: {page}", row.equation);
         let amplitude: f64 = 0.5;
         let expected = row.frequency.iter().rev().fold(0.0, |sum, c| sum * amplitude + c);
-        let found = frequency(&derivation, &row, amplitude);
-        assert!((found - expected).abs() < 1e-12, "{}: {found} is not {expected}", row.equation);
+        let computed = frequency(&derivation, &row, amplitude);
+        assert!((computed - expected).abs() < 1e-12, "{}: {computed} is not {expected}", row.equation);
     }
 }
 
@@ -200,7 +200,7 @@ fn frequencies_agree_with_integration_to_the_power_that_is_left_out() {
         }
         let equation: Equation = equation.parse().unwrap();
         let oscillator = match &about {
-            Some(place) => Oscillator::about(&equation, &place.parse().unwrap()).unwrap(),
+            Some(equilibrium) => Oscillator::about(&equation, &equilibrium.parse().unwrap()).unwrap(),
             None => Oscillator::new(&equation).unwrap(),
         };
         let expansion = expand(&oscillator, 3, &Gauge::Fundamental, &Quiet).unwrap();
@@ -219,12 +219,13 @@ fn frequencies_agree_with_integration_to_the_power_that_is_left_out() {
 /// The equation with a value in the place of a symbol of one letter.
 fn in_place(equation: &str, name: &str, value: &str) -> String {
     let letters: Vec<char> = equation.chars().collect();
-    let is_letter = |place: Option<usize>| {
-        place.and_then(|place| letters.get(place)).is_some_and(|it| it.is_alphabetic())
+    let is_letter = |position: Option<usize>| {
+        position.and_then(|index| letters.get(index)).is_some_and(|letter| letter.is_alphabetic())
     };
-    let each = letters.iter().enumerate().map(|(place, letter)| {
-        let is_symbol =
-            letter.to_string() == name && !is_letter(place.checked_sub(1)) && !is_letter(Some(place + 1));
+    let each = letters.iter().enumerate().map(|(position, letter)| {
+        let is_symbol = letter.to_string() == name
+            && !is_letter(position.checked_sub(1))
+            && !is_letter(Some(position + 1));
         if is_symbol { format!("({value})") } else { letter.to_string() }
     });
     each.collect()

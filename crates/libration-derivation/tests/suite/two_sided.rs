@@ -64,7 +64,8 @@ fn printed_period(derivation: &Derivation, amplitude: f64) -> f64 {
         Block::Equation { equation, .. } => Some(equation.statement()),
         _ => None,
     });
-    let Some((_, Formula::Sum(terms))) = equations.into_iter().nth(1).and_then(|it| it.rest.last().cloned())
+    let Some((_, Formula::Sum(terms))) =
+        equations.into_iter().nth(1).and_then(|equation| equation.rest.last().cloned())
     else {
         panic!("the period is a sum")
     };
@@ -81,8 +82,8 @@ fn periods_agree_with_quadrature_and_integration_to_the_power_that_is_left_out()
         let page = to_markdown(&derivation);
         assert!(page.contains(printed), "{equation}: {page}");
         let expected = period.iter().rev().fold(0.0, |sum, c| sum * 0.5 + c);
-        let found = printed_period(&derivation, 0.5);
-        assert!((found - expected).abs() < 1e-9, "{equation}: {found} is not {expected}");
+        let computed = printed_period(&derivation, 0.5);
+        assert!((computed - expected).abs() < 1e-9, "{equation}: {computed} is not {expected}");
         let oscillator = oscillator(equation);
         let expansion = expand(&oscillator, 2, &Gauge::XMax, &Quiet).unwrap();
         let error = |amplitude: f64| {

@@ -62,7 +62,7 @@ fn follows_exact_law(
 ) -> bool {
     let [of_amplitudes, of_periods] = uncertainties;
     let of_amplitudes =
-        of_amplitudes.map(|column| column.into_iter().map(|it| factor * it).collect::<Vec<f64>>());
+        of_amplitudes.map(|column| column.into_iter().map(|value| factor * value).collect::<Vec<f64>>());
     let (amplitudes, periods) =
         (column(table, |row| factor * row.amplitude), column(table, |row| row.period));
     let uncertainties =

@@ -50,7 +50,7 @@ impl Beta {
 
     /// The β after multiplication by a factor of known uncertainty.
     pub(super) fn with_factor(self, factor: Uncertain) -> Self {
-        let [scatter, all] = [self.factor, factor].map(|it| it.uncertainty);
+        let [scatter, all] = [self.factor, factor].map(|value| value.uncertainty);
         let spread = (all * all - scatter * scatter).max(0.0).sqrt();
         let errors = [(scatter, self.degrees_of_freedom), (spread, f64::INFINITY)];
         Self { factor, degrees_of_freedom: combined_degrees_of_freedom(&errors), ..self }

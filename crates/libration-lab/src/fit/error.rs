@@ -7,12 +7,12 @@ use super::budget::BudgetError;
 #[non_exhaustive]
 pub enum FitError {
     /// Columns of different lengths.
-    #[error("the {column} have {found} rows, the amplitudes {expected}: give one for each")]
+    #[error("the {column} have {rows} rows, the amplitudes {expected}: give one for each")]
     LengthMismatch {
         /// Name of the column.
         column: &'static str,
         /// Number of its rows.
-        found: usize,
+        rows: usize,
         /// Number of rows of the amplitudes.
         expected: usize,
     },
@@ -45,10 +45,10 @@ pub enum FitError {
         hint: &'static str,
     },
     /// Fewer rows than needed for the parameters, and for the scatter where it is needed.
-    #[error("give at least {needed} rows: {found} cannot determine {parameters} and its uncertainty")]
+    #[error("give at least {needed} rows: {rows} cannot determine {parameters} and its uncertainty")]
     TooFewRows {
         /// Number of rows.
-        found: usize,
+        rows: usize,
         /// Number of rows that are needed.
         needed: usize,
         /// Parameters that are to be determined.
@@ -113,11 +113,11 @@ pub enum FitError {
     EqualLengths,
     /// A reversible pendulum with other than two knife edges.
     #[error(
-        "a reversible pendulum has two distances from the centre of mass to the knife edges, and the table has {found}: give each row one of two"
+        "a reversible pendulum has two distances from the centre of mass to the knife edges, and the table has {count}: give each row one of two"
     )]
     KnifeEdges {
         /// Number of different distances.
-        found: usize,
+        count: usize,
     },
     /// A reversible pendulum whose periods have no uncertainties.
     #[error("the periods of a reversible pendulum have no scatter about a law: give their uncertainties")]

@@ -50,7 +50,7 @@ impl ExcessScaleFit {
 pub fn fit_excess_scale(table: &PeriodTable, law: &Law<'_>) -> Result<ExcessScaleFit, FitError> {
     let needed = if table.weighting() == Weighting::Scatter { 3 } else { 2 };
     if table.len() < needed {
-        return Err(FitError::TooFewRows { found: table.len(), needed, parameters: "beta" });
+        return Err(FitError::TooFewRows { rows: table.len(), needed, parameters: "beta" });
     }
     let points = law.points(&table.rows)?;
     let (line, variances) =

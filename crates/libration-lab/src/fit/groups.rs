@@ -70,7 +70,7 @@ impl GroupMean {
         let scatter = Scatter::new(Some(chi2), groups.len() - 1)?;
         let uncertainty = mean.uncertainty * scatter.enlargement();
         let total = uncertainty * uncertainty + shared * shared;
-        let of_mean = Some(scatter.degrees_of_freedom()).filter(|it| it.is_finite());
+        let of_mean = Some(scatter.degrees_of_freedom()).filter(|degrees| degrees.is_finite());
         let of_mean = of_mean.unwrap_or_else(|| welch(groups.iter(), mean.uncertainty));
         let ratio = total / (uncertainty * uncertainty);
         Some(Self {
@@ -98,8 +98,9 @@ impl GroupMean {
 
 fn weighted<'a>(groups: impl Iterator<Item = &'a GroupResult>) -> Uncertain {
     let weight = |result: &GroupResult| 1.0 / (result.value.uncertainty * result.value.uncertainty);
-    let (sum, weights) = groups
-        .fold((0.0, 0.0), |(sum, weights), it| (sum + weight(it) * it.value.value, weights + weight(it)));
+    let (sum, weights) = groups.fold((0.0, 0.0), |(sum, weights), group| {
+        (sum + weight(group) * group.value.value, weights + weight(group))
+    });
     Uncertain { value: sum / weights, uncertainty: 1.0 / weights.sqrt() }
 }
 
@@ -119,9 +120,11 @@ fn standing_out(groups: &[GroupResult]) -> Option<usize> {
         return None;
     }
     let probability = |index: usize| {
-        let others = || groups.iter().enumerate().filter(move |(other, _)| *other != index).map(|it| it.1);
+        let others =
+            || groups.iter().enumerate().filter(move |(other, _)| *other != index).map(|(_, group)| group);
         let (group, mean) = (&groups[index], weighted(others()));
-        let [variance, rest] = [group.value.uncertainty, mean.uncertainty].map(|it| it * it);
+        let [variance, rest] =
+            [group.value.uncertainty, mean.uncertainty].map(|uncertainty| uncertainty * uncertainty);
         let spread =
             variance * variance / group.degrees_of_freedom + rest * rest / welch(others(), mean.uncertainty);
         let freedom =

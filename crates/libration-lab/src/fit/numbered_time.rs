@@ -24,7 +24,8 @@ pub fn swings_of_numbered_time(number: f64, rows: &[(f64, f64)]) -> Option<f64> 
     let usual = f64::midpoint(GRAVITY_ON_EARTH[0], GRAVITY_ON_EARTH[1]);
     let explains = |swings: &f64| {
         let gravity = |(length, time): &(f64, f64)| TAU * TAU * length * swings * swings / (time * time);
-        !rows.is_empty() && rows.iter().map(gravity).all(|it| (usual / WITHIN..usual * WITHIN).contains(&it))
+        !rows.is_empty()
+            && rows.iter().map(gravity).all(|value| (usual / WITHIN..usual * WITHIN).contains(&value))
     };
     [number, 1.0].into_iter().find(explains)
 }

@@ -102,7 +102,7 @@ impl PeriodTable {
     /// rows are not those of the table.
     #[must_use]
     pub fn with_readings(self, readings: RepeatedReadings) -> Self {
-        let readings = Some(readings).filter(|it| it.rows.len() == self.rows.len());
+        let readings = Some(readings).filter(|table| table.rows.len() == self.rows.len());
         Self { readings, ..self }
     }
 
@@ -110,7 +110,7 @@ impl PeriodTable {
     /// unless they are one positive number for each row.
     #[must_use]
     pub fn with_rounding(self, rounding: Vec<f64>) -> Self {
-        let is_usable = rounding.len() == self.rows.len() && rounding.iter().all(|it| *it > 0.0);
+        let is_usable = rounding.len() == self.rows.len() && rounding.iter().all(|step| *step > 0.0);
         Self { rounding: Some(rounding).filter(|_| is_usable), ..self }
     }
 
@@ -200,5 +200,5 @@ fn same_length(column: &'static str, values: &[f64], amplitudes: &[f64]) -> Resu
     if values.len() == amplitudes.len() {
         return Ok(());
     }
-    Err(FitError::LengthMismatch { column, found: values.len(), expected: amplitudes.len() })
+    Err(FitError::LengthMismatch { column, rows: values.len(), expected: amplitudes.len() })
 }

@@ -115,8 +115,9 @@ impl RepeatedReadings {
         }
         let unlike = with_outlier(groups, step, &outliers);
         let differ = unlike.is_none() && differ(groups.iter(), step);
-        let alike =
-            Pool::of(groups.iter().enumerate().filter(|(row, _)| Some(*row) != unlike).map(|it| it.1));
+        let alike = Pool::of(
+            groups.iter().enumerate().filter(|(row, _)| Some(*row) != unlike).map(|(_, group)| group),
+        );
         let deviation = alike.variance().sqrt();
         let rounding = Some(step / 12.0_f64.sqrt()).filter(|rounding| *rounding > deviation);
         let row = |(row, group): (usize, &RowReadings)| {
@@ -193,8 +194,9 @@ pub fn shared_rounding(readings: &RepeatedReadings, coefficients: &[f64]) -> f64
     let mut errors: Vec<(f64, f64)> = readings.rows.iter().zip(coefficients).map(error).collect();
     errors.sort_by(|one, other| one.0.total_cmp(&other.0));
     let of_step = |rows: &[(f64, f64)]| {
-        let [sum, squares] =
-            rows.iter().fold([0.0, 0.0], |[sum, squares], (_, it)| [sum + it, squares + it * it]);
+        let [sum, squares] = rows.iter().fold([0.0, 0.0], |[sum, squares], (_, rounding)| {
+            [sum + rounding, squares + rounding * rounding]
+        });
         sum * sum - squares
     };
     errors.chunk_by(|one, other| one.0.total_cmp(&other.0).is_eq()).map(of_step).sum()
@@ -252,9 +254,9 @@ struct Pool {
 
 impl Pool {
     fn of<'a>(groups: impl Iterator<Item = &'a RowReadings>) -> Self {
-        groups.fold(Self::default(), |sum, it| Self {
-            squares: sum.squares + it.squares,
-            dof: sum.dof + it.dof,
+        groups.fold(Self::default(), |sum, group| Self {
+            squares: sum.squares + group.squares,
+            dof: sum.dof + group.dof,
         })
     }
 
@@ -265,8 +267,9 @@ impl Pool {
 
 /// The row that an outlier alone makes scatter more than the others, which scatter alike: by an F test of its variance over theirs.
 fn with_outlier(groups: &[RowReadings], step: f64, outliers: &[(usize, usize)]) -> Option<usize> {
-    let others =
-        |row: usize| groups.iter().enumerate().filter(move |(other, _)| *other != row).map(|it| it.1);
+    let others = |row: usize| {
+        groups.iter().enumerate().filter(move |(other, _)| *other != row).map(|(_, group)| group)
+    };
     let tested = groups.iter().filter(|group| group.dof > 0).count();
     let is_more = |row: usize| {
         let pool = Pool::of(others(row));

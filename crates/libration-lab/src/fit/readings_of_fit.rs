@@ -90,7 +90,7 @@ impl<'a> ReadingsOfFit<'a> {
     fn excess(&self, row: usize) -> f64 {
         let reading = &self.readings.rows[row];
         let [separate, pooled] =
-            [reading.by_own_scatter, reading.by_scatter].map(|it| it * self.factors[row]);
+            [reading.by_own_scatter, reading.by_scatter].map(|uncertainty| uncertainty * self.factors[row]);
         separate * separate - pooled * pooled
     }
 }

@@ -67,7 +67,7 @@ impl LawFit {
 pub fn fit_small_angle_period(table: &PeriodTable, law: &Law<'_>) -> Result<LawFit, FitError> {
     let needed = if table.weighting() == Weighting::Scatter { 2 } else { 1 };
     if table.len() < needed {
-        return Err(FitError::TooFewRows { found: table.len(), needed, parameters: "T0" });
+        return Err(FitError::TooFewRows { rows: table.len(), needed, parameters: "T0" });
     }
     let points = law.points(&table.rows)?;
     let solve = |weights: &[f64]| T0::through(&points, weights);
@@ -88,15 +88,15 @@ pub fn fit_small_angle_period(table: &PeriodTable, law: &Law<'_>) -> Result<LawF
     let of_readings = readings.map(|reading| {
         ReadingsOfFit::new(reading, vec![1.0; points.len()], &columns, &variances, &fit.covariance)
     });
-    let variance = of_readings.as_ref().map_or(variance, |it| it.covariance()[(0, 0)]);
+    let variance = of_readings.as_ref().map_or(variance, |of_fit| of_fit.covariance()[(0, 0)]);
     let readings_degrees_of_freedom =
-        of_readings.as_ref().map_or(f64::INFINITY, |it| it.degrees_of_freedom(&[1.0], variance));
+        of_readings.as_ref().map_or(f64::INFINITY, |of_fit| of_fit.degrees_of_freedom(&[1.0], variance));
     let scatter = match &of_readings {
         Some(readings) => readings.scatter(fit.chi2(), dof),
         None => Scatter::new(chi2, dof),
     };
     let enlargement = scatter.map_or(1.0, Scatter::enlargement);
-    let of_rounding = readings.map_or(0.0, |it| shared_rounding(it, &c));
+    let of_rounding = readings.map_or(0.0, |readings| shared_rounding(readings, &c));
     Ok(LawFit {
         readings_degrees_of_freedom,
         scatter,

@@ -54,7 +54,7 @@ impl CompoundNumbers {
         let seconds = &seconds.replacen(':', sign(mark), 1);
         let minutes: u32 = minutes.trim().parse().ok()?;
         let is_known = hours.is_some() || self == Self::Clock || minutes == 0;
-        let has_two_digits = seconds.split(['.', ',']).next().is_some_and(|it| it.len() == 2);
+        let has_two_digits = seconds.split(['.', ',']).next().is_some_and(|digits| digits.len() == 2);
         let is_of_clock = hours.is_none_or(|hours| hours < 24 && minutes < 60);
         let days = hours.map_or(0, |hours| 24 * date.unwrap_or(0) + hours);
         (has_two_digits && is_of_clock && (is_known || seconds.contains(['.', ','])))
@@ -82,7 +82,8 @@ impl CompoundNumbers {
         let is_minute = is_prime
             || self != Self::Lengths && ["m", "mn"].contains(&unit)
             || unit.parse() == Ok(Unit::Minute);
-        let fraction = last.strip_prefix('"').filter(|it| it.bytes().all(|byte| byte.is_ascii_digit()));
+        let fraction =
+            last.strip_prefix('"').filter(|digits| digits.bytes().all(|byte| byte.is_ascii_digit()));
         match fraction {
             _ if !is_minute || smaller.is_empty() => None,
             Some("") => of_minutes(whole, smaller, mark),
@@ -137,7 +138,7 @@ fn mixed(text: &str, mark: DecimalMark) -> Option<f64> {
     let (rest, denominator) = text.trim().split_once('/')?;
     let (whole, numerator) = rest.trim().rsplit_once(' ').unwrap_or(("0", rest));
     let Cell::Number(whole) = Cell::parse(whole, mark) else { return None };
-    let [numerator, denominator] = [numerator, denominator].map(|it| it.trim().parse::<u8>().ok());
+    let [numerator, denominator] = [numerator, denominator].map(|digits| digits.trim().parse::<u8>().ok());
     let (numerator, denominator) =
         (numerator?, denominator.filter(|denominator| denominator.is_power_of_two() && *denominator <= 64)?);
     let is_proper = numerator < denominator && whole >= 0.0 && whole.fract() == 0.0;

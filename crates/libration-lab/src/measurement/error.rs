@@ -9,11 +9,11 @@ use libration::quantity::alternatives;
 pub enum MeasurementError {
     /// Relative uncertainties whose heading does not state the unit of their values.
     #[error(
-        "{place} holds relative uncertainties, and its heading does not say whether in % or as fractions: write % into it, or multiply them by the values"
+        "{location} holds relative uncertainties, and its heading does not say whether in % or as fractions: write % into it, or multiply them by the values"
     )]
     RelativeWithoutUnit {
         /// The column.
-        place: String,
+        location: String,
     },
     /// More bytes than the limit.
     #[error("the file has {size} bytes, the limit is {limit}: give a smaller table")]
@@ -36,12 +36,12 @@ pub enum MeasurementError {
     #[error("the file has no rows of data: give at least one line of numbers")]
     Empty,
     /// A row with another number of cells than the others.
-    #[error("line {line} has {found} cells where {expected} were expected: complete or remove the row")]
+    #[error("line {line} has {cells} cells where {expected} were expected: complete or remove the row")]
     Ragged {
         /// Number of the line, from 1.
         line: u64,
         /// Cells in the row.
-        found: usize,
+        cells: usize,
         /// Cells in the rows before.
         expected: usize,
     },
@@ -72,12 +72,12 @@ pub enum MeasurementError {
         line: u64,
     },
     /// A column whose cells have incompatible units.
-    #[error("{column} has {found}: write all of them in one unit")]
+    #[error("{column} has {units}: write all of them in one unit")]
     MixedUnits {
         /// The column, as messages name it.
         column: String,
         /// The units that are mixed.
-        found: String,
+        units: String,
     },
     /// A cell that is not a finite number.
     #[error(
@@ -156,14 +156,14 @@ pub enum MeasurementError {
         words: String,
     },
     /// More than any measurement has.
-    #[error("{place} has {count} {what}, the limit is {limit}: give fewer")]
+    #[error("{location} has {count} {what}, the limit is {limit}: give fewer")]
     TooMany {
         /// The kind of items.
         what: &'static str,
         /// The number of columns.
         count: usize,
         /// The position of the cell.
-        place: String,
+        location: String,
         /// Largest number that is allowed.
         limit: usize,
     },
@@ -188,12 +188,12 @@ pub enum MeasurementError {
         after: f64,
     },
     /// A number that is not a state of a photogate.
-    #[error("line {line}: {found} is not a state of a photogate: give 1 or blocked, 0 or unblocked")]
+    #[error("line {line}: {value} is not a state of a photogate: give 1 or blocked, 0 or unblocked")]
     NotAState {
         /// Number of the line, from 1.
         line: u64,
         /// The number, as in the file.
-        found: f64,
+        value: f64,
     },
     /// Positions that do not determine the pivot.
     #[error("{0}: give the position of the pivot as pivot=X,Y")]
@@ -210,12 +210,12 @@ pub enum MeasurementError {
     #[error(transparent)]
     Trace(#[from] super::TraceError),
     /// A column whose heading states a content other than the requested one.
-    #[error("{column} holds {found} by its header, where {expected} are needed: give other columns")]
+    #[error("{column} holds {content} by its header, where {expected} are needed: give other columns")]
     HoldsOther {
         /// The number and name of the column.
         column: String,
         /// The quantity by its header.
-        found: &'static str,
+        content: &'static str,
         /// The role for which it was chosen.
         expected: super::Role,
     },
@@ -344,7 +344,7 @@ fn listed(choices: &[Suggestion], setting: &dyn Fn(Choice, &[&str]) -> String) -
             Some(_) if choice == Choice::X => ", or ",
             Some(_) => " and ",
         };
-        let values: Vec<&str> = alike.iter().map(|it| it.value.as_ref()).collect();
+        let values: Vec<&str> = alike.iter().map(|suggestion| suggestion.value.as_ref()).collect();
         text += &setting(choice, &values);
         before = Some(choice);
     }

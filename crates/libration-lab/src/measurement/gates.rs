@@ -337,6 +337,6 @@ fn state_at(sheet: &Sheet, column: usize, row: usize) -> Result<Option<bool>, Me
         None => Ok(None),
         Some(1.0) => Ok(Some(true)),
         Some(0.0) => Ok(Some(false)),
-        Some(other) => Err(MeasurementError::NotAState { line: sheet.lines[row], found: other }),
+        Some(other) => Err(MeasurementError::NotAState { line: sheet.lines[row], value: other }),
     }
 }

@@ -56,7 +56,7 @@ impl TextLayout {
             first_line,
             preamble: names.preamble,
             beyond: names.beyond,
-            are_numbers: balance.into_iter().map(|it| it > 0).collect(),
+            are_numbers: balance.into_iter().map(|excess| excess > 0).collect(),
         })
     }
 }
@@ -103,7 +103,7 @@ impl Extent {
             return Err(MeasurementError::TooMany {
                 what: "columns",
                 count: length,
-                place: location,
+                location,
                 limit: MOST_COLUMNS,
             });
         }

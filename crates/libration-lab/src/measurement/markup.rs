@@ -122,7 +122,8 @@ fn of_html(text: &str) -> String {
             (Some("/tr"), Some(cells)) => {
                 out += &"\n".repeat(begun.saturating_sub(written));
                 written = begun.max(written) + 1;
-                let cells = ENTITIES.iter().fold(cells.clone(), |cells, (name, it)| cells.replace(name, it));
+                let cells =
+                    ENTITIES.iter().fold(cells.clone(), |cells, (name, letter)| cells.replace(name, letter));
                 out += &(cells.split('\t').skip(1).map(str::trim).collect::<Vec<_>>().join("\t") + "\n");
                 row = None;
             }

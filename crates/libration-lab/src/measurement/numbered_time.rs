@@ -19,7 +19,8 @@ pub(super) fn number(heading: &str) -> Option<f64> {
     }
     let (first, rest) = rest.split_first()?;
     // `T5_2` is the second reading of five swings.
-    let rest = rest.split_first().filter(|(again, _)| in_digits(again).is_some()).map_or(rest, |it| it.1);
+    let rest =
+        rest.split_first().filter(|(again, _)| in_digits(again).is_some()).map_or(rest, |(_, others)| others);
     let is_unit = |word: &String| matches!(word.as_str(), "/" | "in" | "seconds") || is(&UNITS_OF_TIME, word);
     let whole = in_digits(first).filter(|digit| digit.fract() == 0.0 && !symbol.is_empty())?;
     rest.iter().all(is_unit).then_some(whole)

@@ -39,7 +39,7 @@ impl Sheet {
     fn unread_part(&self, column: usize) -> Option<String> {
         self.factor(column)?;
         let (_, word) = self.channels[column].words.first()?;
-        let [whole, rest] = [column - 1, column].map(|it| self.describe(it));
+        let [whole, rest] = [column - 1, column].map(|index| self.describe(index));
         Some(format!("{rest} is not added to {whole}, since `{word}` is not read as a number"))
     }
 

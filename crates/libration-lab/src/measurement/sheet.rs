@@ -176,7 +176,7 @@ impl Sheet {
             let unit = stated.unwrap_or(first);
             units
                 .bring(index, &mut channel.cells, &mut channel.uncertainties, unit, stated.is_some())
-                .map_err(|mixed| MeasurementError::MixedUnits { column, found: mixed })?;
+                .map_err(|mixed| MeasurementError::MixedUnits { column, units: mixed })?;
             channel.heading.set_unit(unit);
         }
         Ok(())
@@ -207,7 +207,7 @@ impl Sheet {
         let (width, filled) = (self.channels.len(), row.filled());
         if filled > width || row.cells.len() < width {
             let cells = if filled > width { filled } else { row.cells.len() };
-            return Err(MeasurementError::Ragged { line: row.line, found: cells, expected: width });
+            return Err(MeasurementError::Ragged { line: row.line, cells, expected: width });
         }
         let row_index = self.lines.len();
         self.lines.push(row.line);

@@ -51,7 +51,7 @@ impl SignalPassages {
         let smooth = without_spikes(values);
         let above: Vec<f64> = smooth.iter().map(|value| value - level).collect();
         let (peak, dip) =
-            above.iter().fold((0.0_f64, 0.0_f64), |(up, down), &it| (up.max(it), down.max(-it)));
+            above.iter().fold((0.0_f64, 0.0_f64), |(up, down), &value| (up.max(value), down.max(-value)));
         let sign = if dip > peak { -1.0 } else { 1.0 };
         let signal = Signal {
             times,

@@ -283,7 +283,7 @@ impl Table {
         let index = self.sheet.index_of(column)?;
         let heading = &self.sheet.channels[index].heading;
         if heading.is_relative_without_unit() {
-            return Err(MeasurementError::RelativeWithoutUnit { place: self.sheet.describe(index) });
+            return Err(MeasurementError::RelativeWithoutUnit { location: self.sheet.describe(index) });
         }
         Ok(heading.fraction())
     }

@@ -14,7 +14,7 @@ const LEAST_CHANGES: usize = 4;
 /// Returns `true` if nearly all of the numbers are at one of two levels, which change at least four times.
 pub(super) fn changes_between_two_levels(numbers: &[f64]) -> bool {
     let ends = (f64::INFINITY, f64::NEG_INFINITY);
-    let (low, high) = numbers.iter().fold(ends, |(low, high), it| (low.min(*it), high.max(*it)));
+    let (low, high) = numbers.iter().fold(ends, |(low, high), number| (low.min(*number), high.max(*number)));
     let range = high - low;
     if !(range > 0.0 && range.is_finite()) {
         return false;

@@ -70,5 +70,5 @@ impl Table {
 }
 
 fn holds_other(sheet: &Sheet, column: usize, content: &'static str, role: Role) -> MeasurementError {
-    MeasurementError::HoldsOther { column: sheet.describe(column), found: content, expected: role }
+    MeasurementError::HoldsOther { column: sheet.describe(column), content, expected: role }
 }

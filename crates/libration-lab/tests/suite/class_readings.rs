@@ -31,7 +31,7 @@ fn tables() -> Vec<Table<'static>> {
     let mut tables: Vec<Table<'_>> = vec![];
     for line in DATA.lines().filter(|line| !line.starts_with('#')) {
         let cells: Vec<&str> = line.split(',').collect();
-        let number = |place: usize| cells[place].parse::<f64>().unwrap();
+        let number = |index: usize| cells[index].parse::<f64>().unwrap();
         match cells[..] {
             [quantity, design, ..] if cells.len() == 6 => {
                 let [truth, step, clock, swings] = [2, 3, 4, 5].map(number);
@@ -110,11 +110,11 @@ fn result(table: &Table<'_>) -> (Uncertain, f64) {
 fn coverage(quantity: &str, design: &str) -> (usize, f64, f64) {
     let (mut all, mut within) = (0, [0, 0]);
     for table in tables().iter().filter(|table| table.quantity == quantity && table.design == design) {
-        let (found, freedom) = result(table);
+        let (computed, freedom) = result(table);
         all += 1;
         for (count, probability) in within.iter_mut().zip([0.95, 0.6827]) {
-            let reach = quantile(1.0 - probability, freedom) * found.uncertainty;
-            *count += usize::from((found.value - table.truth).abs() <= reach);
+            let reach = quantile(1.0 - probability, freedom) * computed.uncertainty;
+            *count += usize::from((computed.value - table.truth).abs() <= reach);
         }
     }
     let part = |count: usize| number(count) / number(all);
@@ -130,7 +130,7 @@ fn intervals_of_normal_readings_hold_as_often_as_they_say() {
         let part = |of: fn(&(usize, f64, f64)) -> f64| {
             designs.iter().map(|design| number(design.0) * of(design)).sum::<f64>() / number(all)
         };
-        let (wide, narrow) = (part(|it| it.1), part(|it| it.2));
+        let (wide, narrow) = (part(|counts| counts.1), part(|counts| counts.2));
         assert!((0.92..=0.98).contains(&wide), "{quantity}: {wide} {designs:?}");
         assert!((0.62..=0.74).contains(&narrow), "{quantity}: {narrow} {designs:?}");
     }

@@ -35,13 +35,13 @@ fn truth(swing: &Synthetic, until: f64) -> Vec<[f64; 2]> {
 }
 
 /// Errors of time and amplitude over their uncertainties, at the turning point next to a time.
-fn pulls(found: &[FittedTurningPoint], truth: &[[f64; 2]], time: f64) -> [f64; 2] {
+fn pulls(points: &[FittedTurningPoint], truth: &[[f64; 2]], time: f64) -> [f64; 2] {
     let distance = |point: &FittedTurningPoint| (point.time.value - time).abs();
-    let point = found.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap();
+    let point = points.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap();
     assert!(distance(point) < 1.2, "{point:?}");
     let apart = |turn: &[f64; 2]| (turn[0] - point.time.value).abs();
     let true_one = truth.iter().min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap();
-    let pull = |found: Uncertain, truth: f64| (found.value - truth) / found.uncertainty;
+    let pull = |computed: Uncertain, truth: f64| (computed.value - truth) / computed.uncertainty;
     [pull(point.time, true_one[0]), pull(point.amplitude, true_one[1])]
 }
 
@@ -52,17 +52,17 @@ fn a_continued_swing_meets_the_true_one_within_its_uncertainty() {
     for (swing, model) in [(SWING, "linear"), (quadratic, "quadratic")] {
         let truth = truth(&swing, 101.0);
         let continued = |seed| fitted(&swing, model, seed).turning_points(0, 100.0).unwrap();
-        let found: Vec<Vec<FittedTurningPoint>> = (1..=20).map(continued).collect();
+        let continuations: Vec<Vec<FittedTurningPoint>> = (1..=20).map(continued).collect();
         for time in [10.0, 40.0, 99.0] {
-            let all: Vec<[f64; 2]> = found.iter().map(|points| pulls(points, &truth, time)).collect();
+            let all: Vec<[f64; 2]> = continuations.iter().map(|points| pulls(points, &truth, time)).collect();
             for of in 0..2 {
                 let mean = all.iter().map(|pulls| pulls[of] * pulls[of]).sum::<f64>() / 20.0;
                 assert!((0.61..1.41).contains(&mean.sqrt()), "{model} {time} {of}: {all:?}");
             }
         }
         // What is not known of the damping makes the amplitude the less certain the further it is followed.
-        let relative = |place: usize| found[0][place].amplitude.relative();
-        let [early, late] = [10, found[0].len() - 1].map(relative);
+        let relative = |index: usize| continuations[0][index].amplitude.relative();
+        let [early, late] = [10, continuations[0].len() - 1].map(relative);
         assert!(late > 3.0 * early, "{early} {late}");
     }
 }

@@ -45,9 +45,9 @@ fn the_synthetic_motion_is_that_of_an_independent_integrator() {
     ];
     for (time, angle) in truth {
         // The first row is at 0.0137 s.
-        let found =
+        let trace =
             Synthetic { step: (time - 0.0137) / 10.0, rows: 11, ..case }.trace(&mut Random::seeded(1));
-        assert!((found.values()[10] - angle).abs() < 1e-10, "{time}: {}", found.values()[10]);
+        assert!((trace.values()[10] - angle).abs() < 1e-10, "{time}: {}", trace.values()[10]);
     }
 }
 
@@ -64,9 +64,9 @@ fn beta_is_one_under_each_law_of_damping_in_a_sweep() {
     for law in LAWS {
         for noise in [0.002, 0.02, 0.1].into_iter().cycle().take(number) {
             let case = drawn(law, noise, &mut random);
-            let found = fit_cycles(&case.trace(&mut random), &CyclesOptions::default(), &Quiet).unwrap();
-            let beta = found.beta.unwrap();
-            let (z, of_period) = (beta.deviation(), found.t0.deviation_from(case.t0()));
+            let cycles = fit_cycles(&case.trace(&mut random), &CyclesOptions::default(), &Quiet).unwrap();
+            let beta = cycles.beta.unwrap();
+            let (z, of_period) = (beta.deviation(), cycles.t0.deviation_from(case.t0()));
             eprintln!("{law} {noise}° {case:?}: {z:.2}, {of_period:.2}");
             assert!(z < 4.0, "{case:?}: {beta:?}");
             near += u32::from(z <= 2.5);
@@ -86,10 +86,10 @@ fn no_scale_is_called_wrong_under_dry_and_quadratic_friction() {
         for noise in [0.002, 0.02] {
             let trace = drawn(law, noise, &mut random).trace(&mut random);
             let options = SwingsOptions { damping: Some(law.parse().unwrap()), ..SwingsOptions::default() };
-            let found = fit_swings(&[trace], &options, &Quiet).unwrap();
+            let fit = fit_swings(&[trace], &options, &Quiet).unwrap();
             let is_of_scale =
                 |warning: &Warning| matches!(warning, Warning::BetaNotOne { .. } | Warning::ModelRefuted(_));
-            assert!(!found.warnings.iter().any(is_of_scale), "{law} {noise}: {:?}", found.warnings);
+            assert!(!fit.warnings.iter().any(is_of_scale), "{law} {noise}: {:?}", fit.warnings);
         }
     }
 }

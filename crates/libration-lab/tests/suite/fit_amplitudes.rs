@@ -50,7 +50,12 @@ fn cases() -> Vec<Case> {
 
 impl Case {
     fn law(&self) -> DampingModel {
-        DampingKind::ALL.into_iter().zip(self.coefficients).filter(|it| it.1 > 0.0).map(|it| it.0).collect()
+        DampingKind::ALL
+            .into_iter()
+            .zip(self.coefficients)
+            .filter(|pair| pair.1 > 0.0)
+            .map(|pair| pair.0)
+            .collect()
     }
 
     /// The coefficients of the law, in its order.
@@ -92,8 +97,8 @@ fn of_times<'a>(case: &'a Case, angles: &'a [f64]) -> AmplitudeColumns<'a> {
     AmplitudeColumns::new(Position::Time, &case.times, AmplitudeReading::Angle, angles)
 }
 
-fn assert_near(found: f64, truth: f64, relative: f64, what: &str) {
-    assert!((found / truth - 1.0).abs() < relative, "{what}: {found} and not {truth}");
+fn assert_near(computed: f64, truth: f64, relative: f64, what: &str) {
+    assert!((computed / truth - 1.0).abs() < relative, "{what}: {computed} and not {truth}");
 }
 
 /// Averaging over a cycle has an error below 0.2/Q², which is the tolerance, with the rounding of the table and of the derivatives.
@@ -104,13 +109,13 @@ fn amplitudes_of_integrated_motions_give_their_coefficients_back() {
         let strongest = case.quality(case.angles[0]).min(case.quality(case.angles.last().unwrap().abs()));
         let tolerance = 1e-6 + 0.2 / (strongest * strongest);
         for (coefficient, truth) in fit.coefficients.iter().zip(case.truth()) {
-            let found = coefficient.coefficient.unwrap().value;
+            let computed = coefficient.coefficient.unwrap().value;
             eprintln!(
-                "{number} {} {found} {truth}: {:.2e} of {tolerance:.2e}",
+                "{number} {} {computed} {truth}: {:.2e} of {tolerance:.2e}",
                 case.law(),
-                found / truth - 1.0
+                computed / truth - 1.0
             );
-            assert_near(found, truth, tolerance, &format!("case {number}"));
+            assert_near(computed, truth, tolerance, &format!("case {number}"));
         }
         assert_near(fit.natural_frequency.unwrap().value, case.omega0, 1e-3 * tolerance, "omega0");
         let quality = fit.quality.unwrap();
@@ -140,8 +145,8 @@ fn numbers_of_swings_give_the_quality_factor_without_a_period() {
                 && fit.coefficients.iter().all(|coefficient| coefficient.coefficient.is_none())
         );
         // With the period the coefficients follow too.
-        let known = fitted(&columns, &case.options(Some(case.law())));
-        for (coefficient, truth) in known.coefficients.iter().zip(case.truth()) {
+        let with_period = fitted(&columns, &case.options(Some(case.law())));
+        for (coefficient, truth) in with_period.coefficients.iter().zip(case.truth()) {
             assert_near(coefficient.coefficient.unwrap().value, truth, 0.01, "coefficient");
         }
     }
@@ -198,8 +203,8 @@ fn the_uncertainty_of_the_period_contains_that_of_the_amplitudes() {
         let exact = period(&case.angles).value;
         let square: f64 = (0..DRAWS)
             .map(|_| {
-                let found = period(&noisy(case, sigma, &mut random));
-                let deviation = found.deviation_from(exact);
+                let computed = period(&noisy(case, sigma, &mut random));
+                let deviation = computed.deviation_from(exact);
                 deviation * deviation
             })
             .sum();
@@ -370,7 +375,7 @@ fn tables_that_tell_nothing_are_refused() {
             .and_then(|table| fit_amplitudes(&table, &AmplitudesOptions::default()))
             .unwrap_err()
     };
-    assert!(matches!(refused(&[0.0, 1.0], &[0.2, 0.1]), AmplitudesError::TooFewRows { found: 2, needed: 3 }));
+    assert!(matches!(refused(&[0.0, 1.0], &[0.2, 0.1]), AmplitudesError::TooFewRows { rows: 2, needed: 3 }));
     assert!(matches!(refused(&[0.0, 1.0, 2.0], &[20.0, 10.0, 5.0]), AmplitudesError::Angle { row: 1, .. }));
     assert!(matches!(refused(&[1.0, 1.0, 1.0], &[0.2, 0.1, 0.1]), AmplitudesError::EqualPositions(_)));
     assert!(matches!(refused(&[0.0, 1.0, 2.0, 3.0], &[0.1, 0.2, 0.3, 0.4]), AmplitudesError::NotFalling));
@@ -416,7 +421,7 @@ enum Stated {
 fn coverage(number: u64, is_chosen_by_rows: bool, stated: Stated) -> [Coverage; 2] {
     let mut random = Random::seeded(sweep::seed(38));
     let cases = cases();
-    let mut found: [Coverage; 2] = Default::default();
+    let mut coverage: [Coverage; 2] = Default::default();
     for draw in 0..number {
         let case = &cases[usize::try_from(draw).unwrap() % cases.len()];
         let part = random.log_between(-2.5, -1.7);
@@ -442,14 +447,14 @@ fn coverage(number: u64, is_chosen_by_rows: bool, stated: Stated) -> [Coverage; 
         let dof = fit.law().uncertainty_degrees_of_freedom();
         if fit.law().damping == case.law() {
             let coefficient = fit.coefficients[0].coefficient.unwrap();
-            found[0].count(coefficient.value - case.truth()[0], coefficient.uncertainty, dof);
+            coverage[0].count(coefficient.value - case.truth()[0], coefficient.uncertainty, dof);
         }
         let quality = fit.quality.unwrap();
         let truth =
             quality.amplitude.map_or_else(|| linear_quality(case), |amplitude| case.quality(amplitude));
-        found[1].count(quality.factor.value - truth, quality.factor.uncertainty, dof);
+        coverage[1].count(quality.factor.value - truth, quality.factor.uncertainty, dof);
     }
-    found
+    coverage
 }
 
 /// ω0/c; the value at the first row if the damping is not linear.
@@ -467,26 +472,26 @@ const OF_ONE_LAW: [Range<f64>; 3] = [0.50..0.87, 0.59..0.78, 0.62..0.75];
 /// standard deviations to each side.
 const OF_SEVERAL_LAWS: [Range<f64>; 3] = [0.49..0.98, 0.66..0.87, 0.62..0.75];
 
-fn check(found: &Coverage, what: &str, [usual, full, own]: [Range<f64>; 3]) {
+fn check(coverage: &Coverage, what: &str, [usual, full, seeded]: [Range<f64>; 3]) {
     // The standard deviation of 95 % intervals is 1.1 % of 400 draws, and 2.8 % of 60.
     let wide = Limits { usual: 0.85..1.001, full: 0.91..0.991, own: 0.92..0.985 };
-    wide.check(found.within[1] / found.draws, &format!("{what}, 95 %"));
-    Limits { usual, full, own }.check(found.within[0] / found.draws, &format!("{what}, 68 %"));
+    wide.check(coverage.within[1] / coverage.draws, &format!("{what}, 95 %"));
+    Limits { usual, full, own: seeded }.check(coverage.within[0] / coverage.draws, &format!("{what}, 68 %"));
 }
 
 #[test]
 fn intervals_of_given_laws_hold_in_a_sweep() {
     for stated in [Stated::Uncertainties, Stated::Scatter, Stated::Relative] {
-        let found = coverage(sweep::number(60, 400), false, stated);
-        check(&found[0], &format!("coefficient, {stated:?}"), OF_ONE_LAW);
-        check(&found[1], &format!("Q, {stated:?}"), OF_ONE_LAW);
+        let coverage = coverage(sweep::number(60, 400), false, stated);
+        check(&coverage[0], &format!("coefficient, {stated:?}"), OF_ONE_LAW);
+        check(&coverage[1], &format!("Q, {stated:?}"), OF_ONE_LAW);
     }
 }
 
 #[test]
 fn intervals_of_laws_that_the_rows_prefer_hold_in_a_sweep() {
-    let found = coverage(sweep::number(60, 400), true, Stated::Scatter);
-    check(&found[1], "Q", OF_SEVERAL_LAWS);
+    let coverage = coverage(sweep::number(60, 400), true, Stated::Scatter);
+    check(&coverage[1], "Q", OF_SEVERAL_LAWS);
 }
 
 /// Turning points from 2.9 rad under 0.1/s with ω0 = 4.4/s, integrated by `scipy.integrate.solve_ivp` (DOP853, 1e-12): the average over a cycle invents

@@ -207,8 +207,8 @@ fn a_reversible_pendulum_gives_g_by_bessels_formula() {
     let fit = edges([0.66, 0.33], 1e-3, None).unwrap();
     assert!((fit.best().g.value / G - 1.0).abs() < 1e-12, "{:?}", fit.best());
     // A better distance of the edges: the centre of mass remains in the second term only.
-    let known = Quantity { value: 0.99, uncertainty: Some(1e-5) };
-    let better = edges([0.66, 0.33], 1e-3, Some(known)).unwrap();
+    let distance = Quantity { value: 0.99, uncertainty: Some(1e-5) };
+    let better = edges([0.66, 0.33], 1e-3, Some(distance)).unwrap();
     assert!((better.best().g.value / G - 1.0).abs() < 1e-12);
     assert!(better.gravity().uncertainty < 0.2 * fit.gravity().uncertainty, "{:?}", better.gravity());
 }
@@ -224,7 +224,7 @@ fn edges_at_nearly_equal_distances_are_refused() {
         ..LengthColumns::default()
     };
     let options = LengthsOptions { pendulum: Some(LengthsPendulum::Reversible), ..LengthsOptions::default() };
-    assert_eq!(fitted(&columns, &options).unwrap_err(), FitError::KnifeEdges { found: 3 });
+    assert_eq!(fitted(&columns, &options).unwrap_err(), FitError::KnifeEdges { count: 3 });
     let columns =
         LengthColumns { period_uncertainties: None, lengths: &[0.3, 0.4], periods: &[1.6; 2], ..columns };
     assert_eq!(fitted(&columns, &options).unwrap_err(), FitError::KnifeEdgePeriods);
@@ -238,11 +238,11 @@ struct Coverage {
 }
 
 impl Coverage {
-    fn count(&mut self, found: Uncertain, truth: f64, dof: f64) {
+    fn count(&mut self, computed: Uncertain, truth: f64, dof: f64) {
         self.draws += 1.0;
         for (within, probability) in self.within.iter_mut().zip([0.3173, 0.05]) {
-            let reach = quantile(probability, dof) * found.uncertainty;
-            *within += if (found.value - truth).abs() <= reach { 1.0 } else { 0.0 };
+            let reach = quantile(probability, dof) * computed.uncertainty;
+            *within += if (computed.value - truth).abs() <= reach { 1.0 } else { 0.0 };
         }
     }
 
@@ -254,8 +254,8 @@ impl Coverage {
     }
 
     /// Checks the intervals of 95 % alone.
-    fn check_with(&self, what: &str, [usual, full, own]: [Range<f64>; 3]) {
-        Limits { usual, full, own }.check(self.within[1] / self.draws, &format!("{what}, 95 %"));
+    fn check_with(&self, what: &str, [usual, full, seeded]: [Range<f64>; 3]) {
+        Limits { usual, full, own: seeded }.check(self.within[1] / self.draws, &format!("{what}, 95 %"));
     }
 }
 
@@ -269,7 +269,7 @@ fn intervals_of_bars_hold_in_a_sweep() {
     let (of_length, of_period) = (5e-4, 2e-3);
     let positions: Vec<f64> = (0..12).map(|k| 0.02 + 0.085 * f64::from(k)).collect();
     for is_stated in [true, false] {
-        let mut found: [Coverage; 3] = Default::default();
+        let mut coverage: [Coverage; 3] = Default::default();
         for _ in 0..sweep::number(100, 400) {
             let (centre, k) = (random.between(0.495, 0.525), random.between(0.26, 0.32));
             let exact: Vec<f64> = positions.iter().map(|x| period(x - centre, k)).collect();
@@ -288,11 +288,11 @@ fn intervals_of_bars_hold_in_a_sweep() {
             let best = fit.best();
             assert_eq!(best.model, LengthModel::BarOffset);
             let dof = best.uncertainty_degrees_of_freedom();
-            found[0].count(best.g, G, dof);
-            found[1].count(best.offset.unwrap(), -centre, dof);
-            found[2].count(best.gyration.unwrap(), k * k, dof);
+            coverage[0].count(best.g, G, dof);
+            coverage[1].count(best.offset.unwrap(), -centre, dof);
+            coverage[2].count(best.gyration.unwrap(), k * k, dof);
         }
-        let [g, centre, gyration] = &found;
+        let [g, centre, gyration] = &coverage;
         g.check(&format!("g, stated: {is_stated}"));
         gyration.check(&format!("k², stated: {is_stated}"));
         if is_stated {
@@ -316,7 +316,7 @@ fn intervals_of_bars_without_uncertainties_hold_for_errors_of_the_lengths_in_a_s
     let options = LengthsOptions { pendulum: Some(LengthsPendulum::Bar), ..LengthsOptions::default() };
     for (positions, centre) in [(&one_side, 0.0), (&whole, 0.5)] {
         for of_period in [0.0, 0.003] {
-            let mut found: [Coverage; 2] = Default::default();
+            let mut coverage: [Coverage; 2] = Default::default();
             for _ in 0..sweep::number(100, 400) {
                 let exact: Vec<f64> = positions.iter().map(|x| period(x - centre, K)).collect();
                 let periods = noisy(&exact, of_period, &mut random);
@@ -325,16 +325,16 @@ fn intervals_of_bars_without_uncertainties_hold_for_errors_of_the_lengths_in_a_s
                     LengthColumns { lengths: &given, periods: &periods, ..LengthColumns::default() };
                 let fit = fitted(&columns, &options).unwrap();
                 let (best, dof) = (fit.best(), fit.best().uncertainty_degrees_of_freedom());
-                found[0].count(best.g, G, dof);
+                coverage[0].count(best.g, G, dof);
                 // Without a fitted centre, which chance makes as large, it is at the zero of the scale.
                 if let Some(offset) = best.offset {
-                    found[1].count(offset, -centre, dof);
+                    coverage[1].count(offset, -centre, dof);
                 }
             }
             let case = format!("centre at {centre}, σ of T {of_period}");
-            found[0].check_with(&format!("g, {case}"), [0.84..1.001, 0.89..1.001, 0.9..0.996]);
+            coverage[0].check_with(&format!("g, {case}"), [0.84..1.001, 0.89..1.001, 0.9..0.996]);
             if centre > 0.0 {
-                found[1].check_with(&format!("centre, {case}"), [0.78..1.001, 0.84..1.001, 0.84..1.001]);
+                coverage[1].check_with(&format!("centre, {case}"), [0.78..1.001, 0.84..1.001, 0.84..1.001]);
             }
         }
     }
@@ -344,7 +344,7 @@ fn intervals_of_bars_without_uncertainties_hold_for_errors_of_the_lengths_in_a_s
 fn intervals_of_reversible_pendulums_hold_in_a_sweep() {
     let mut random = Random::seeded(sweep::seed(13));
     for is_direct in [true, false] {
-        let mut found = Coverage::default();
+        let mut coverage = Coverage::default();
         for _ in 0..sweep::number(100, 400) {
             let far = random.between(0.55, 0.75);
             let distances = [far, 0.99 - far];
@@ -370,9 +370,9 @@ fn intervals_of_reversible_pendulums_hold_in_a_sweep() {
                 ..LengthsOptions::default()
             };
             let fit = fitted(&columns, &options).unwrap();
-            found.count(fit.gravity(), G, f64::INFINITY);
+            coverage.count(fit.gravity(), G, f64::INFINITY);
         }
-        found.check(&format!("g, edges measured directly: {is_direct}"));
+        coverage.check(&format!("g, edges measured directly: {is_direct}"));
     }
 }
 

@@ -71,23 +71,25 @@ fn scale(quantity: &mut Quantity, factor: f64) {
 const MOVED: [(BudgetInput, Changed); 12] = [
     (BudgetInput::Length, |apparatus, _, factor| scale(&mut apparatus.length, factor)),
     (BudgetInput::Period, |_, period, factor| scale(&mut period.t0, factor)),
-    (BudgetInput::BobRadius, |it, _, factor| scale(&mut it.corrections.bob.as_mut().unwrap().radius, factor)),
-    (BudgetInput::BobMass, |it, _, factor| scale(it.corrections.bob_mass.as_mut().unwrap(), factor)),
-    (BudgetInput::RodMass, |it, _, factor| scale(it.corrections.rod_mass.as_mut().unwrap(), factor)),
-    (BudgetInput::RodLength, |it, _, factor| scale(it.corrections.rod_length.as_mut().unwrap(), factor)),
-    (BudgetInput::AirDensity, |it, _, factor| scale(&mut it.corrections.air_density, factor)),
-    (BudgetInput::Stretch, |it, _, factor| scale(it.corrections.stretch.as_mut().unwrap(), factor)),
-    (BudgetInput::Expansion, |it, _, factor| scale(it.corrections.expansion.as_mut().unwrap(), factor)),
-    (BudgetInput::Warming, |it, _, factor| scale(it.corrections.warming.as_mut().unwrap(), factor)),
-    (BudgetInput::SupportStiffness, |it, _, factor| {
-        scale(it.corrections.support_stiffness.as_mut().unwrap(), factor);
+    (BudgetInput::BobRadius, |rig, _, factor| {
+        scale(&mut rig.corrections.bob.as_mut().unwrap().radius, factor);
     }),
-    (BudgetInput::EdgeRadius, |it, _, factor| scale(it.corrections.edge_radius.as_mut().unwrap(), factor)),
+    (BudgetInput::BobMass, |rig, _, factor| scale(rig.corrections.bob_mass.as_mut().unwrap(), factor)),
+    (BudgetInput::RodMass, |rig, _, factor| scale(rig.corrections.rod_mass.as_mut().unwrap(), factor)),
+    (BudgetInput::RodLength, |rig, _, factor| scale(rig.corrections.rod_length.as_mut().unwrap(), factor)),
+    (BudgetInput::AirDensity, |rig, _, factor| scale(&mut rig.corrections.air_density, factor)),
+    (BudgetInput::Stretch, |rig, _, factor| scale(rig.corrections.stretch.as_mut().unwrap(), factor)),
+    (BudgetInput::Expansion, |rig, _, factor| scale(rig.corrections.expansion.as_mut().unwrap(), factor)),
+    (BudgetInput::Warming, |rig, _, factor| scale(rig.corrections.warming.as_mut().unwrap(), factor)),
+    (BudgetInput::SupportStiffness, |rig, _, factor| {
+        scale(rig.corrections.support_stiffness.as_mut().unwrap(), factor);
+    }),
+    (BudgetInput::EdgeRadius, |rig, _, factor| scale(rig.corrections.edge_radius.as_mut().unwrap(), factor)),
 ];
 
 #[test]
 fn sensitivities_are_finite_differences_of_the_whole_calculation() {
-    let found = evaluate_budget(&whole_apparatus(), &whole_period(), &[]).unwrap();
+    let budget = evaluate_budget(&whole_apparatus(), &whole_period(), &[]).unwrap();
     for (input, change) in MOVED {
         let moved = |factor: f64| {
             let (mut apparatus, mut period) = (whole_apparatus(), whole_period());
@@ -95,36 +97,36 @@ fn sensitivities_are_finite_differences_of_the_whole_calculation() {
             evaluate_budget(&apparatus, &period, &[]).unwrap().g
         };
         let part = 1e-4;
-        let contribution = of(&found, input);
+        let contribution = of(&budget, input);
         let wanted = (moved(1.0 + part) - moved(1.0 - part)) / (2.0 * part * contribution.value);
         // The difference errs by 1e-8 of g‴x³/6, the sensitivity by far less; that of the air is 1e-4 of g.
         assert!(close(contribution.sensitivity, wanted, 1e-6), "{input:?}: {contribution:?} {wanted}");
     }
     // Time shown by a clock is T0 itself, but for the layer of air, which the frequency makes: δ grows as √T0.
-    let (clock, period) = (of(&found, BudgetInput::Clock), of(&found, BudgetInput::Period));
+    let (clock, period) = (of(&budget, BudgetInput::Clock), of(&budget, BudgetInput::Period));
     assert!(close(clock.sensitivity, period.sensitivity * period.value, 1e-9));
 }
 
 #[test]
 fn a_bare_pendulum_has_the_coefficients_of_the_books() {
     let period = MeasuredPeriod { clock: Some(0.001), ..MeasuredPeriod::of_small_swings(about(2.0, 0.01)) };
-    let found = evaluate_budget(&Apparatus::of_length(about(1.0, 0.005)), &period, &[]).unwrap();
+    let budget = evaluate_budget(&Apparatus::of_length(about(1.0, 0.005)), &period, &[]).unwrap();
     let g = TAU * TAU / 4.0;
-    assert!(close(found.g, g, 1e-14));
+    assert!(close(budget.g, g, 1e-14));
     for (input, wanted) in
         [(BudgetInput::Length, g), (BudgetInput::Period, -g), (BudgetInput::Clock, -2.0 * g)]
     {
-        assert!(close(of(&found, input).sensitivity, wanted, 1e-9), "{input:?}");
+        assert!(close(of(&budget, input).sensitivity, wanted, 1e-9), "{input:?}");
     }
     let parts = [0.005, 0.01, 0.002].map(|part| g * part);
     let together = parts.iter().map(|part| part * part).sum::<f64>().sqrt();
-    assert!(close(found.uncertainty, together, 1e-9));
-    let shares: f64 = found.combined.contributions.iter().map(|each| found.combined.share(each)).sum();
+    assert!(close(budget.uncertainty, together, 1e-9));
+    let shares: f64 = budget.combined.contributions.iter().map(|each| budget.combined.share(each)).sum();
     assert!(close(shares, 1.0, 1e-12));
-    let of_length = found.combined.share(&of(&found, BudgetInput::Length));
+    let of_length = budget.combined.share(&of(&budget, BudgetInput::Length));
     assert!(close(of_length, parts[0] * parts[0] / (together * together), 1e-9));
     // 1.959964 for known uncertainties.
-    assert!(close(found.combined.expanded(), 1.959963984540054 * together, 1e-7));
+    assert!(close(budget.combined.expanded(), 1.959963984540054 * together, 1e-7));
 }
 
 #[test]
@@ -137,8 +139,9 @@ fn effective_degrees_of_freedom_are_those_of_welch_and_satterthwaite() {
     // u(L)/L = 2u(T)/T: half of the variance is the period's, so that 4·2² are left.
     let shared = evaluate_budget(&Apparatus::of_length(about(1.0, 0.01)), &period, &[]).unwrap();
     assert!(close(shared.combined.degrees_of_freedom, 16.0, 1e-9));
-    let known = evaluate_budget(&Apparatus::of_length(about(1.0, 0.01)), &whole_period(), &[]).unwrap();
-    assert!(known.combined.degrees_of_freedom > 9.0);
+    let with_known_length =
+        evaluate_budget(&Apparatus::of_length(about(1.0, 0.01)), &whole_period(), &[]).unwrap();
+    assert!(with_known_length.combined.degrees_of_freedom > 9.0);
 }
 
 /// g = 4π²L/T0² with the same factor on both: the length goes up by a part, the period by half of it, and g stays.
@@ -150,11 +153,11 @@ fn correlations_are_part_of_the_uncertainty() {
         let between = [BudgetInput::Length, BudgetInput::Period];
         evaluate_budget(&apparatus, &period, &[Correlation { between, coefficient }])
     };
-    let found = |coefficient: f64| with(coefficient).unwrap();
-    let g = found(0.0).g;
-    assert!(found(1.0).uncertainty < 1e-6 * g);
-    assert!(close(found(-1.0).uncertainty, 0.004 * g, 1e-9));
-    let half = found(0.5);
+    let budget = |coefficient: f64| with(coefficient).unwrap();
+    let g = budget(0.0).g;
+    assert!(budget(1.0).uncertainty < 1e-6 * g);
+    assert!(close(budget(-1.0).uncertainty, 0.004 * g, 1e-9));
+    let half = budget(0.5);
     assert!(close(half.uncertainty, 0.002 * g, 1e-9));
     assert!(close(half.combined.share_of_correlations(), -1.0, 1e-9), "{half:?}");
     assert_eq!(with(1.5), Err(BudgetError::Correlation { coefficient: 1.5 }));
@@ -192,26 +195,26 @@ fn correlations_that_contradict_each_other_are_refused() {
 fn uncertainties_of_a_hundred_percent_and_more_are_kept() {
     for part in [0.9, 1.0, 1.5] {
         let vague = Apparatus::of_length(about(1.0, part));
-        let found = evaluate_budget(&vague, &MeasuredPeriod::of_small_swings(about(2.0, 0.0)), &[]).unwrap();
-        assert!(close(found.uncertainty, part * found.g, 1e-9), "{part}: {found:?}");
-        assert!(found.is_linear());
+        let budget = evaluate_budget(&vague, &MeasuredPeriod::of_small_swings(about(2.0, 0.0)), &[]).unwrap();
+        assert!(close(budget.uncertainty, part * budget.g, 1e-9), "{part}: {budget:?}");
+        assert!(budget.is_linear());
         let slow = MeasuredPeriod::of_small_swings(about(2.0, 2.0 * part));
-        let found = evaluate_budget(&Apparatus::of_length(about(1.0, 0.0)), &slow, &[]).unwrap();
-        assert!(close(found.uncertainty, 2.0 * part * found.g, 1e-9), "{part}: {found:?}");
-        assert!(!found.is_linear());
-        assert_eq!(found.warnings(), [BudgetWarning::NotLinear]);
+        let budget = evaluate_budget(&Apparatus::of_length(about(1.0, 0.0)), &slow, &[]).unwrap();
+        assert!(close(budget.uncertainty, 2.0 * part * budget.g, 1e-9), "{part}: {budget:?}");
+        assert!(!budget.is_linear());
+        assert_eq!(budget.warnings(), [BudgetWarning::NotLinear]);
     }
     let mut vague = whole_apparatus();
-    let known = &mut vague.corrections;
-    known.bob = Some(Bob::ball(about(0.03, 0.03)));
-    for quantity in [&mut known.bob_mass, &mut known.rod_mass, &mut known.stretch] {
+    let corrections = &mut vague.corrections;
+    corrections.bob = Some(Bob::ball(about(0.03, 0.03)));
+    for quantity in [&mut corrections.bob_mass, &mut corrections.rod_mass, &mut corrections.stretch] {
         let value = quantity.unwrap().value;
         *quantity = Some(about(value, value));
     }
-    let found = evaluate_budget(&vague, &whole_period(), &[]).unwrap();
+    let budget = evaluate_budget(&vague, &whole_period(), &[]).unwrap();
     assert!(
-        found.uncertainty.is_finite()
-            && found.rows.iter().all(|row| row.uncertainty.is_none_or(f64::is_finite))
+        budget.uncertainty.is_finite()
+            && budget.rows.iter().all(|row| row.uncertainty.is_none_or(f64::is_finite))
     );
 }
 
@@ -232,15 +235,15 @@ fn inputs_without_an_uncertainty_are_named() {
     let ball = |radius: Quantity| Corrections { bob: Some(Bob::ball(radius)), ..Corrections::default() };
     let apparatus = Apparatus { length: bare(1.0), corrections: ball(bare(0.02)) };
     let period = MeasuredPeriod::of_small_swings(about(2.006, 0.001));
-    let found = evaluate_budget(&apparatus, &period, &[]).unwrap();
+    let budget = evaluate_budget(&apparatus, &period, &[]).unwrap();
     let inputs = vec![BudgetInput::Length, BudgetInput::BobRadius];
-    assert_eq!(found.warnings(), [BudgetWarning::WithoutUncertainty { inputs }]);
-    assert!(found.warnings()[0].to_string().contains("length, bob radius"));
-    let of_row = |name: &str| found.rows.iter().find(|row| row.name == name).unwrap().uncertainty;
+    assert_eq!(budget.warnings(), [BudgetWarning::WithoutUncertainty { inputs }]);
+    assert!(budget.warnings()[0].to_string().contains("length, bob radius"));
+    let of_row = |name: &str| budget.rows.iter().find(|row| row.name == name).unwrap().uncertainty;
     assert_eq!((of_row("length"), of_row("finite bob")), (None, None));
     let said = Apparatus { length: about(1.0, 0.0), corrections: ball(about(0.02, 0.0)) };
-    let found = evaluate_budget(&said, &period, &[]).unwrap();
-    assert_eq!((found.warnings(), found.rows[0].uncertainty), (vec![], Some(0.0)));
+    let budget = evaluate_budget(&said, &period, &[]).unwrap();
+    assert_eq!((budget.warnings(), budget.rows[0].uncertainty), (vec![], Some(0.0)));
 }
 
 #[test]
@@ -248,21 +251,21 @@ fn clock_and_damping_are_in_every_budget() {
     let apparatus = Apparatus::of_length(about(1.0, 0.001));
     let with = |period: MeasuredPeriod| evaluate_budget(&apparatus, &period, &[]).unwrap();
     let plain = MeasuredPeriod::of_small_swings(about(2.0, 0.001));
-    let found = with(plain);
-    assert_eq!(correction(&found, "clock"), Correction::Typical(-0.002));
+    let bare = with(plain);
+    assert_eq!(correction(&bare, "clock"), Correction::Typical(-0.002));
     // The amplitude falls by e^-1 in 60 s: b = 1/30 s, ω = π/s.
     let part = square(1.0 / (60.0 * std::f64::consts::PI));
-    assert!(matches!(correction(&found, "damping"), Correction::Typical(size) if close(size, part, 1e-3)));
+    assert!(matches!(correction(&bare, "damping"), Correction::Typical(size) if close(size, part, 1e-3)));
     let contained = with(MeasuredPeriod { damping: PeriodDamping::Contained(about(0.2, 0.05)), ..plain });
     let fitted = with(MeasuredPeriod { damping: PeriodDamping::Fitted(0.2), ..plain });
     let size = square(0.1 / std::f64::consts::PI);
     for budget in [&contained, &fitted] {
         assert!(
-            matches!(correction(budget, "damping"), Correction::Applied(found) if close(found, size, 1e-9))
+            matches!(correction(budget, "damping"), Correction::Applied(applied) if close(applied, size, 1e-9))
         );
     }
-    assert!(close(contained.g / found.g - 1.0, size, 1e-9) && close(fitted.g, found.g, 1e-15));
-    assert!(close(of(&contained, BudgetInput::Damping).change(), 2.0 * found.g * size * 0.25, 1e-6));
+    assert!(close(contained.g / bare.g - 1.0, size, 1e-9) && close(fitted.g, bare.g, 1e-15));
+    assert!(close(of(&contained, BudgetInput::Damping).change(), 2.0 * bare.g * size * 0.25, 1e-6));
     let clocked = with(MeasuredPeriod { clock: Some(0.001), ..plain });
     let row = clocked.rows.iter().find(|row| row.name == "clock").unwrap();
     assert!(close(row.uncertainty.unwrap(), 0.002 * clocked.g, 1e-9));
@@ -314,8 +317,8 @@ fn the_expanded_uncertainty_holds_the_truth_as_often_as_it_says() {
             degrees_of_freedom: 4.0,
             ..MeasuredPeriod::of_small_swings(about(mean, (variance / 5.0).sqrt()))
         };
-        let found = evaluate_budget(&apparatus, &period, &[]).unwrap();
-        within += u32::from((found.g - g).abs() < found.combined.expanded());
+        let budget = evaluate_budget(&apparatus, &period, &[]).unwrap();
+        within += u32::from((budget.g - g).abs() < budget.combined.expanded());
     }
     assert!((1870..=1930).contains(&within), "{within} of {EXPERIMENTS}");
 }
@@ -331,11 +334,11 @@ fn a_gravity_found_nowhere_on_earth_is_blamed_on_the_length() {
         assert_eq!(of_length(length).warnings(), [], "{length}");
     }
     for length in [0.9945, 1.0030] {
-        let found = of_length(length).warnings();
+        let warnings = of_length(length).warnings();
         let [warning @ BudgetWarning::GravityContradicted { length: given, likely_length, mistake: None }] =
-            &found[..]
+            &warnings[..]
         else {
-            panic!("{length}: {found:?}")
+            panic!("{length}: {warnings:?}")
         };
         assert!((given - length).abs() < 1e-15 && (likely_length / 0.99879 - 1.0).abs() < 1e-4);
         assert_eq!(warning.name(), "gravity_contradicted");

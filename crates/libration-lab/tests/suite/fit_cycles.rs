@@ -47,11 +47,11 @@ fn without_noise_every_cycle_obeys_the_exact_law() {
         Synthetic { observable: Observable::AngularVelocity, amplitude: 2.2, ..Synthetic::USUAL },
     ];
     for case in cases {
-        let found = of(&case, 1);
-        let worst = found.small_angle_periods().map(|t0| (t0 / case.t0() - 1.0).abs()).fold(0.0, f64::max);
+        let cycles = of(&case, 1);
+        let worst = cycles.small_angle_periods().map(|t0| (t0 / case.t0() - 1.0).abs()).fold(0.0, f64::max);
         assert!(worst < 3e-4, "{case:?}: {worst:e}");
-        assert!((found.t0.value / case.t0() - 1.0).abs() < 5e-5, "{case:?}: {}", found.t0);
-        assert!((found.offset.value - case.offset).abs() < 3e-4, "{case:?}: {}", found.offset);
+        assert!((cycles.t0.value / case.t0() - 1.0).abs() < 5e-5, "{case:?}: {}", cycles.t0);
+        assert!((cycles.offset.value - case.offset).abs() < 3e-4, "{case:?}: {}", cycles.offset);
     }
 }
 
@@ -59,10 +59,10 @@ fn without_noise_every_cycle_obeys_the_exact_law() {
 fn pulls(case: &Synthetic, traces: u64, first_seed: u64) -> [f64; 2] {
     let mut squares = [0.0; 2];
     for draw in 0..traces {
-        let found = of(case, first_seed.wrapping_add(draw));
-        let beta = found.beta.unwrap();
+        let cycles = of(case, first_seed.wrapping_add(draw));
+        let beta = cycles.beta.unwrap();
         let errors = [
-            (found.t0.value - case.t0()) / found.t0.uncertainty,
+            (cycles.t0.value - case.t0()) / cycles.t0.uncertainty,
             (beta.factor.value - 1.0) / beta.factor.uncertainty,
         ];
         for (square, error) in squares.iter_mut().zip(errors) {
@@ -89,9 +89,9 @@ fn errors_are_as_large_as_their_uncertainties_in_a_sweep() {
         Synthetic { noise: 0.01, offset: 0.02, observable: Observable::AngularVelocity, ..Synthetic::USUAL },
     ];
     let mut all = [0.0; 2];
-    for (place, case) in (0..).zip(cases) {
-        let found = pulls(&case, number, seed.wrapping_add(1000 * place));
-        for (of, squares) in found.into_iter().enumerate() {
+    for (index, case) in (0..).zip(cases) {
+        let pulls = pulls(&case, number, seed.wrapping_add(1000 * index));
+        for (of, squares) in pulls.into_iter().enumerate() {
             one.check(squares, &format!("{} of {case:?}", ["T0", "beta"][of]));
             all[of] += squares;
         }
@@ -107,11 +107,11 @@ fn counts_of_an_encoder_give_the_period_to_a_part_in_ten_thousand() {
     let quantum = 360.0 * DEGREE / 4000.0;
     let case =
         Synthetic { quantum, step: 0.005, rows: 3000, amplitude: 1.9, linear: 0.04, ..Synthetic::USUAL };
-    let found = of(&case, 1);
-    assert!((found.t0.value / case.t0() - 1.0).abs() < 1e-4, "{}", found.t0);
+    let cycles = of(&case, 1);
+    assert!((cycles.t0.value / case.t0() - 1.0).abs() < 1e-4, "{}", cycles.t0);
     // Rounding leaves an error of quantum/√12.
-    assert!((found.noise / (quantum / 12.0_f64.sqrt()) - 1.0).abs() < 0.2, "{}", found.noise);
-    let beta = found.beta.unwrap();
+    assert!((cycles.noise / (quantum / 12.0_f64.sqrt()) - 1.0).abs() < 0.2, "{}", cycles.noise);
+    let beta = cycles.beta.unwrap();
     assert!((beta.factor.value - 1.0).abs() < 0.005, "{beta:?}");
 }
 
@@ -160,20 +160,20 @@ fn a_centre_that_drifts_is_followed() {
     let case = Synthetic { noise: 0.001, ..Synthetic::USUAL };
     let trace = case.trace(&mut Random::seeded(3));
     let tilted = changed(&trace, |row, value| Some(value + 0.05 * trace.times()[row] / 40.0));
-    let found = found_in(&tilted);
-    assert!(found.offset_wander > 0.005, "{}", found.offset_wander);
-    assert!((found.t0.value / case.t0() - 1.0).abs() < 1e-4, "{}", found.t0);
+    let cycles = found_in(&tilted);
+    assert!(cycles.offset_wander > 0.005, "{}", cycles.offset_wander);
+    assert!((cycles.t0.value / case.t0() - 1.0).abs() < 1e-4, "{}", cycles.t0);
 }
 
 #[test]
 fn swings_over_the_top_are_left_out_and_said() {
     // Three turns or so, and then to and fro.
     let case = Synthetic { amplitude: 0.0, velocity: 13.0, linear: 0.12, ..Synthetic::USUAL };
-    let found = of(&case, 1);
-    assert!(found.cycles.len() > 20, "{}", found.cycles.len());
-    let turns = found.offset.value / TAU;
+    let cycles = of(&case, 1);
+    assert!(cycles.cycles.len() > 20, "{}", cycles.cycles.len());
+    let turns = cycles.offset.value / TAU;
     assert!(turns > 0.5 && (turns - libm::round(turns)).abs() < 1e-3, "{turns}");
-    assert!((found.t0.value / case.t0() - 1.0).abs() < 1e-3, "{}", found.t0);
+    assert!((cycles.t0.value / case.t0() - 1.0).abs() < 1e-3, "{}", cycles.t0);
 }
 
 #[test]
@@ -251,13 +251,13 @@ fn a_tail_at_rest_is_left_out_and_said() {
         Synthetic { linear: 0.2, dry: 0.05, noise: 0.002, ..base },
         Synthetic { linear: 0.3, noise: 0.002, offset: 0.2, observable: Observable::AngularVelocity, ..base },
     ] {
-        let found = of(&case, 3);
-        assert!(found.cycles.len() >= 8, "{}: {case:?}", found.cycles.len());
-        assert!((found.t0.value / case.t0() - 1.0).abs() < 3e-3, "{}: {case:?}", found.t0);
+        let cycles = of(&case, 3);
+        assert!(cycles.cycles.len() >= 8, "{}: {case:?}", cycles.cycles.len());
+        assert!((cycles.t0.value / case.t0() - 1.0).abs() < 3e-3, "{}: {case:?}", cycles.t0);
         // Dry friction ends the last swing all at once, before it is lost.
         let is_said =
-            found.warnings.iter().any(|warning| matches!(warning, CyclesWarning::LostInNoise { .. }));
-        assert_eq!(is_said, case.dry <= 0.0, "{:?}", found.warnings);
+            cycles.warnings.iter().any(|warning| matches!(warning, CyclesWarning::LostInNoise { .. }));
+        assert_eq!(is_said, case.dry <= 0.0, "{:?}", cycles.warnings);
     }
     // With noise as large the swing goes on to the end.
     let swinging = of(&Synthetic { noise: 0.01, ..Synthetic::USUAL }, 3);
@@ -299,7 +299,7 @@ fn exact_swings_have_cycles_however_they_are_sampled_in_a_sweep() {
         let cosine = exact(degrees * DEGREE, step, seconds, |time| libm::cos(TAU / 1.5 * time));
         for (name, trace) in [("swing", swing), ("cosine", cosine)] {
             match fit_cycles(&trace, &CyclesOptions::default(), &Quiet) {
-                Ok(found) if found.cycles.len() > 4 => {}
+                Ok(cycles) if cycles.cycles.len() > 4 => {}
                 other => failures.push(format!(
                     "{name} {degrees} {step} {seconds}: {:?}",
                     other.map(|other| other.cycles.len())
@@ -336,24 +336,25 @@ fn cycles_scatter_by_their_stated_uncertainties() {
             })
             .collect();
         let trace = Trace::new("jitter", Observable::Angle, times, trace.values().to_vec(), None).unwrap();
-        let found = found_in(&trace);
-        let kept: Vec<_> = found.cycles.iter().filter(|cycle| !cycle.outlier).collect();
+        let cycles = found_in(&trace);
+        let kept: Vec<_> = cycles.cycles.iter().filter(|cycle| !cycle.outlier).collect();
         let pulls = kept.iter().map(|cycle| {
-            let pull = (cycle.period.value / cycle.period_ratio - found.t0.value)
+            let pull = (cycle.period.value / cycle.period_ratio - cycles.t0.value)
                 / (cycle.period.uncertainty / cycle.period_ratio);
             pull * pull
         });
         #[expect(clippy::cast_precision_loss, reason = "some dozen")]
         let pull = (pulls.sum::<f64>() / kept.len() as f64).sqrt();
-        assert!((least..most).contains(&pull), "{jitter}: {pull} {:?}", found.chi2_per_dof);
+        assert!((least..most).contains(&pull), "{jitter}: {pull} {:?}", cycles.chi2_per_dof);
     }
 }
 
 /// χ² per degree of freedom of the cycles about the exact law, by their own bars.
-fn chi2_by_the_bars(found: &Cycles) -> f64 {
-    let kept: Vec<_> = found.cycles.iter().filter(|cycle| !cycle.outlier).collect();
-    let pull =
-        |cycle: &Cycle| (cycle.period.value - found.t0.value * cycle.period_ratio) / cycle.period.uncertainty;
+fn chi2_by_the_bars(cycles: &Cycles) -> f64 {
+    let kept: Vec<_> = cycles.cycles.iter().filter(|cycle| !cycle.outlier).collect();
+    let pull = |cycle: &Cycle| {
+        (cycle.period.value - cycles.t0.value * cycle.period_ratio) / cycle.period.uncertainty
+    };
     let squares: f64 = kept.iter().map(|cycle| pull(cycle) * pull(cycle)).sum();
     #[expect(clippy::cast_precision_loss, reason = "some dozen")]
     let dof = kept.len() as f64 - 1.0;
@@ -380,10 +381,10 @@ fn bars_of_cycles_heed_noise_that_remembers() {
     for memory in [0.0, 0.5, 0.8, 0.95] {
         let (mut mean, mut t0) = (0.0, 0.0);
         for seed in 0..10 {
-            let found = found_in(&with_memory(&exact, memory, &mut Random::seeded(seed)));
-            let chi2 = chi2_by_the_bars(&found);
+            let cycles = found_in(&with_memory(&exact, memory, &mut Random::seeded(seed)));
+            let chi2 = chi2_by_the_bars(&cycles);
             assert!((0.4..2.0).contains(&chi2), "{memory} {seed}: {chi2}");
-            let pull = (found.t0.value - Synthetic::USUAL.t0()) / found.t0.uncertainty;
+            let pull = (cycles.t0.value - Synthetic::USUAL.t0()) / cycles.t0.uncertainty;
             (mean, t0) = (mean + 0.1 * chi2, t0 + 0.1 * pull * pull);
         }
         assert!((0.75..1.25).contains(&mean), "{memory}: {mean}");
@@ -399,17 +400,17 @@ fn bars_of_cycles_are_not_those_of_a_slow_departure_from_the_law() {
     for (seed, scale) in [(1, 0.9), (2, 0.95), (3, 1.08)] {
         let case = Synthetic { rows: 8000, linear: 0.015, noise: 0.002, ..Synthetic::USUAL };
         let trace = changed(&case.trace(&mut Random::seeded(seed)), |_, value| Some(scale * value));
-        let found = found_in(&trace);
-        let chi2 = chi2_by_the_bars(&found);
-        assert!((0.8..1.3).contains(&chi2), "{scale}: {chi2}, by the noise {:?}", found.chi2_per_dof);
+        let cycles = found_in(&trace);
+        let chi2 = chi2_by_the_bars(&cycles);
+        assert!((0.8..1.3).contains(&chi2), "{scale}: {chi2}, by the noise {:?}", cycles.chi2_per_dof);
     }
 }
 
 #[test]
 fn radians_that_are_called_degrees_are_recognised() {
     let right = Synthetic { noise: 0.002, amplitude: 0.8, ..Synthetic::USUAL }.trace(&mut Random::seeded(7));
-    let found = found_in(&right);
-    assert!(mistaken_unit(found.beta.unwrap().factor.value, found.cycles.iter()).is_none());
+    let cycles = found_in(&right);
+    assert!(mistaken_unit(cycles.beta.unwrap().factor.value, cycles.cycles.iter()).is_none());
     let called = found_in(&changed(&right, |_, value| Some(value * DEGREE)));
     let beta = called.beta.unwrap().factor.value;
     // (180/π)² and what the next terms of the series add at 46°.
@@ -455,15 +456,15 @@ fn cycles_stop_at_any_question() {
             questions.set(questions.get() + 1);
             if questions.get() == last { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let found = fit_cycles(&trace, &CyclesOptions::default(), &progress);
-        (found, questions.get())
+        let outcome = fit_cycles(&trace, &CyclesOptions::default(), &progress);
+        (outcome, questions.get())
     };
     let (whole, questions) = asked_until(usize::MAX);
     assert!(questions > 100, "{questions}");
     assert_eq!(whole.unwrap().cycles, found_in(&trace).cycles);
     for last in [1, 2, questions / 4, questions / 2, questions - 1, questions] {
-        let (found, asked) = asked_until(last);
-        assert_eq!((found.err(), asked), (Some(CyclesError::Interrupted(Interrupted)), last));
+        let (outcome, asked) = asked_until(last);
+        assert_eq!((outcome.err(), asked), (Some(CyclesError::Interrupted(Interrupted)), last));
     }
     let traces = [trace.clone(), trace];
     let all = traces.each_ref().map(|trace| fit_cycles(trace, &CyclesOptions::default(), &Quiet));

@@ -193,13 +193,13 @@ fn times_of_no_pendulum_are_refused() {
     let mut random = Random::seeded(1);
     let mut noise: Vec<f64> = (0..60).map(|_| random.between(0.0, 60.0)).collect();
     noise.sort_by(f64::total_cmp);
-    let found = fit_gates(
+    let outcome = fit_gates(
         &noise,
         None,
         &GateOptions { signals: Some(GateSignals::Passages), ..GateOptions::default() },
         &Quiet,
     );
-    assert!(matches!(found, Err(GatesError::Irregular { .. })), "{found:?}");
+    assert!(matches!(outcome, Err(GatesError::Irregular { .. })), "{outcome:?}");
     let wide = GateOptions { width: Some(exactly(4.0)), ..GateOptions::default() };
     assert!(matches!(fit_gates(&[0.0, 1.0, 2.0], None, &wide, &Quiet), Err(GatesError::NotUsable { .. })));
 }
@@ -208,15 +208,15 @@ fn times_of_no_pendulum_are_refused() {
 #[test]
 fn the_change_of_t0_with_the_width_is_that_of_the_whole_calculation() {
     let (times, blocked) = split(&edges(0.1, 1e-5));
-    let found = |factor: f64| {
+    let of_width = |factor: f64| {
         let width = Some(Quantity { value: WIDTH * factor, uncertainty: Some(0.01 * WIDTH) });
         fit_gates(&times, Some(&blocked), &GateOptions { width, ..GateOptions::default() }, &Quiet).unwrap()
     };
-    let fit = found(1.0);
+    let fit = of_width(1.0);
     // Less than a standard deviation of β, so that the rows do not contradict the law.
     let part = 1e-4;
-    let wanted =
-        (found(1.0 + part).t0.unwrap().value - found(1.0 - part).t0.unwrap().value) / (2.0 * part * WIDTH);
+    let wanted = (of_width(1.0 + part).t0.unwrap().value - of_width(1.0 - part).t0.unwrap().value)
+        / (2.0 * part * WIDTH);
     let slope = fit.t0_by_width.unwrap();
     assert!((slope / wanted - 1.0).abs() < 1e-3, "{slope} {wanted}");
     // The width is nearly all that makes this T0 uncertain.
@@ -276,7 +276,7 @@ fn the_width_is_the_angle_of_the_bob_at_the_gate() {
     let fit = fitted_with(&times, &blocked, width);
     let inputs: Vec<BudgetInput> = fit.correlations(&geometry).iter().map(|both| both.between[0]).collect();
     assert_eq!(inputs, [BudgetInput::Length, BudgetInput::BobRadius]);
-    let [by_length, by_radius] = [0, 1].map(|place| fit.correlations(&geometry)[place].coefficient);
+    let [by_length, by_radius] = [0, 1].map(|index| fit.correlations(&geometry)[index].coefficient);
     // Opposite signs, in the proportion of the uncertainties.
     assert!((by_length / by_radius + 4.0 / 3.0).abs() < 1e-9, "{by_length} {by_radius}");
     assert_eq!(fit.correlations(&nearer), []);
@@ -302,9 +302,12 @@ fn a_gate_off_the_middle_of_the_bob_sees_a_chord() {
     assert!((width.uncertainty.unwrap() / expected - 1.0).abs() < 1e-3, "{width:?} {expected}");
     let (times, blocked) = split(&edges(0.0, 1e-5));
     let fit = fitted_with(&times, &blocked, width);
-    let found: Vec<f64> = fit.correlations(&geometry).iter().map(|both| both.coefficient).collect();
-    assert_eq!(found.len(), 2);
-    assert!((found[0] / found[1] / (moved[0] / moved[1]) - 1.0).abs() < 1e-3, "{found:?} {moved:?}");
+    let coefficients: Vec<f64> = fit.correlations(&geometry).iter().map(|both| both.coefficient).collect();
+    assert_eq!(coefficients.len(), 2);
+    assert!(
+        (coefficients[0] / coefficients[1] / (moved[0] / moved[1]) - 1.0).abs() < 1e-3,
+        "{coefficients:?} {moved:?}"
+    );
 }
 
 #[test]
@@ -383,8 +386,8 @@ fn fits_of_gates_stop_at_any_question() {
             questions.set(questions.get() + 1);
             if questions.get() == last { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let found = fit_gates(&times, Some(&blocked), &with_width(), &progress);
-        (found, questions.get())
+        let outcome = fit_gates(&times, Some(&blocked), &with_width(), &progress);
+        (outcome, questions.get())
     };
     let (whole, questions) = asked_until(usize::MAX);
     assert!(questions > 100, "{questions}");

@@ -61,16 +61,16 @@ fn a_line_gives_its_g_and_its_offset_back() {
 fn a_large_bob_bends_the_line_and_is_told_by_it() {
     let (given, radius) = (ten_lengths(), 0.06);
     let periods: Vec<f64> = given.iter().map(|&length| period(length, 0.02, radius)).collect();
-    let known = fitted(&given, &periods, Some(radius));
-    assert!((known.best().g.value / G - 1.0).abs() < 1e-9, "{:?}", known.best());
-    assert!((known.best().offset.unwrap().value - 0.02).abs() < 1e-9);
+    let with_radius = fitted(&given, &periods, Some(radius));
+    assert!((with_radius.best().g.value / G - 1.0).abs() < 1e-9, "{:?}", with_radius.best());
+    assert!((with_radius.best().offset.unwrap().value - 0.02).abs() < 1e-9);
     let free = fitted(&given, &periods, None);
     let bent = free.law(LengthModel::OffsetAndGyration).unwrap();
     assert!((bent.gyration.unwrap().value / (0.4 * radius * radius) - 1.0).abs() < 1e-6, "{bent:?}");
     assert!((bent.g.value / G - 1.0).abs() < 1e-7);
     let bends = free.warnings.iter().find(|warning| matches!(warning, LengthsWarning::Bent { .. })).unwrap();
     assert!(bends.to_string().contains("radius 60.0 mm"), "{bends}");
-    assert!(!known.warnings.iter().any(|warning| matches!(warning, LengthsWarning::Bent { .. })));
+    assert!(!with_radius.warnings.iter().any(|warning| matches!(warning, LengthsWarning::Bent { .. })));
 }
 
 #[test]
@@ -183,7 +183,7 @@ fn rows_that_scatter_more_than_stated_make_the_uncertainties_larger() {
     assert!((more.best().chi2_per_dof().unwrap() - 19.9).abs() < 1e-6, "{:?}", more.best());
     let spread = |fit: &LengthsFit| {
         let best = fit.best();
-        [best.g, best.offset.unwrap()].map(|found| found.uncertainty)
+        [best.g, best.offset.unwrap()].map(|estimate| estimate.uncertainty)
     };
     // Stated uncertainties that are √19.9 times smaller leave the scatter, and so the answer, as it is.
     for (ours, wanted) in spread(&more).into_iter().zip(spread(&stated)) {
@@ -219,16 +219,16 @@ fn clock_and_bob_are_part_of_the_uncertainty() {
         clock: Some(0.002),
         ..with_ball(Quantity { value, uncertainty: Some(0.01) })
     };
-    let found = g(&of_radius(0.06));
-    let of = |input| *found.combined.contributions.iter().find(|each| each.input == input).unwrap();
-    assert!((of(BudgetInput::Clock).change() / (-0.004 * found.best().g.value) - 1.0).abs() < 1e-10);
+    let fit = g(&of_radius(0.06));
+    let of = |input| *fit.combined.contributions.iter().find(|each| each.input == input).unwrap();
+    assert!((of(BudgetInput::Clock).change() / (-0.004 * fit.best().g.value) - 1.0).abs() < 1e-10);
     let whole = (g(&of_radius(0.061)).best().g.value - g(&of_radius(0.059)).best().g.value) / 0.002;
-    assert!((of(BudgetInput::BobRadius).sensitivity / whole - 1.0).abs() < 1e-3, "{found:?}");
-    let line = found.best().g.uncertainty;
+    assert!((of(BudgetInput::BobRadius).sensitivity / whole - 1.0).abs() < 1e-3, "{fit:?}");
+    let line = fit.best().g.uncertainty;
     assert!((of(BudgetInput::Slope).change() / -line - 1.0).abs() < 1e-12);
-    let squares = [line, 0.004 * found.best().g.value, 0.01 * whole].map(|part| part * part);
+    let squares = [line, 0.004 * fit.best().g.value, 0.01 * whole].map(|part| part * part);
     let together = squares.iter().sum::<f64>().sqrt();
-    assert!((found.gravity().uncertainty / together - 1.0).abs() < 1e-4);
+    assert!((fit.gravity().uncertainty / together - 1.0).abs() < 1e-4);
     for clock in [-0.1, f64::NAN, f64::INFINITY] {
         let refused =
             fit_lengths(&columns, &LengthsOptions { clock: Some(clock), ..LengthsOptions::default() });
@@ -280,9 +280,9 @@ fn a_bend_the_other_way_is_no_bob() {
     let given = ten_lengths();
     let periods: Vec<f64> =
         given.iter().map(|&length| TAU * ((length - 0.0015 / length) / G).sqrt()).collect();
-    let found = fitted(&given, &periods, None).warnings;
-    assert!(found.contains(&LengthsWarning::Bent { radius: None }), "{found:?}");
-    assert!(found.iter().any(|warning| warning.to_string().contains("bends the other way")));
+    let warnings = fitted(&given, &periods, None).warnings;
+    assert!(warnings.contains(&LengthsWarning::Bent { radius: None }), "{warnings:?}");
+    assert!(warnings.iter().any(|warning| warning.to_string().contains("bends the other way")));
 }
 
 /// Strings with a ball of 25 mm, stated as 20 cm: an offset explains the periods, but puts the ball about the pivot.
@@ -292,9 +292,9 @@ fn a_bob_about_its_pivot_is_refused() {
     let periods = given.map(|length: f64| TAU * ((length + 0.025) / 9.81).sqrt());
     let columns = LengthColumns { lengths: &given, periods: &periods, ..LengthColumns::default() };
     let table = LengthTable::new(&columns).unwrap();
-    let found = |radius: f64| fit_lengths(&table, &with_ball(exactly(radius)));
-    assert!(found(0.025).is_ok());
-    let refused = found(0.2);
+    let with_radius = |radius: f64| fit_lengths(&table, &with_ball(exactly(radius)));
+    assert!(with_radius(0.025).is_ok());
+    let refused = with_radius(0.2);
     let Err(FitError::BobTooLarge { radius, distance }) = refused else { panic!("{refused:?}") };
     assert!(radius > distance && distance < 0.18, "{refused:?}");
 }
@@ -430,8 +430,8 @@ fn a_table_is_corrected_row_by_row() {
     }
     // With the rod, which ends at the surface of the bob in the correction and at its centre in the periods.
     let with_rod = LengthsOptions { corrections: every_correction(0.1), ..LengthsOptions::default() };
-    let found = fit_lengths(&table(&given, &periods, Some(&sigma)), &with_rod).unwrap();
-    assert!((found.best().g.value / G - 1.0).abs() < 2e-3, "{:?}", found.best());
+    let corrected = fit_lengths(&table(&given, &periods, Some(&sigma)), &with_rod).unwrap();
+    assert!((corrected.best().g.value / G - 1.0).abs() < 2e-3, "{:?}", corrected.best());
 }
 
 /// The same pendulum without a rod.
@@ -454,28 +454,28 @@ fn sensitivities_of_a_table_are_those_of_the_fit() {
     let fitted = |corrections: Corrections| {
         fit_lengths(&columns, &LengthsOptions { corrections, ..LengthsOptions::default() }).unwrap()
     };
-    let found = fitted(every_correction(0.1));
+    let fit = fitted(every_correction(0.1));
     type Input = fn(&mut Corrections) -> &mut Quantity;
     let moved: [(BudgetInput, Input); 5] = [
-        (BudgetInput::BobRadius, |it| &mut it.bob.as_mut().unwrap().radius),
-        (BudgetInput::RodMass, |it| it.rod_mass.as_mut().unwrap()),
-        (BudgetInput::SupportStiffness, |it| it.support_stiffness.as_mut().unwrap()),
-        (BudgetInput::EdgeRadius, |it| it.edge_radius.as_mut().unwrap()),
-        (BudgetInput::Warming, |it| it.warming.as_mut().unwrap()),
+        (BudgetInput::BobRadius, |corrections| &mut corrections.bob.as_mut().unwrap().radius),
+        (BudgetInput::RodMass, |corrections| corrections.rod_mass.as_mut().unwrap()),
+        (BudgetInput::SupportStiffness, |corrections| corrections.support_stiffness.as_mut().unwrap()),
+        (BudgetInput::EdgeRadius, |corrections| corrections.edge_radius.as_mut().unwrap()),
+        (BudgetInput::Warming, |corrections| corrections.warming.as_mut().unwrap()),
     ];
-    let mut squares = found.best().g.uncertainty * found.best().g.uncertainty;
+    let mut squares = fit.best().g.uncertainty * fit.best().g.uncertainty;
     for (input, of) in moved {
         let g = |factor: f64| {
             let mut corrections = every_correction(0.1);
             of(&mut corrections).value *= factor;
             fitted(corrections).best().g.value
         };
-        let each = *found.combined.contributions.iter().find(|each| each.input == input).unwrap();
+        let each = *fit.combined.contributions.iter().find(|each| each.input == input).unwrap();
         let wanted = (g(1.01) - g(0.99)) / 0.02 * 0.1;
         assert!((each.change() / wanted - 1.0).abs() < 1e-3, "{input:?}: {each:?} {wanted}");
         squares += wanted * wanted;
     }
-    assert!(found.gravity().uncertainty >= 0.999 * squares.sqrt());
+    assert!(fit.gravity().uncertainty >= 0.999 * squares.sqrt());
 }
 
 /// A bar of iron on a knife edge that rolls, on a support that yields, warmer than when it was measured.
@@ -545,11 +545,11 @@ fn a_row_with_a_typing_error_is_named_with_g_without_it() {
     let given = [0.2, 0.35, 0.5, 0.65, 0.8, 1.0];
     let periods = [0.8975, 1.1869, 1.4816, 1.6174, 1.7943, 2.0061];
     let warnings = told(&given, &periods);
-    let found = warnings.iter().find_map(|warning| match warning {
+    let outlying = warnings.iter().find_map(|warning| match warning {
         LengthsWarning::Outlying { row, gravity } => Some((*row, gravity.value)),
         _ => None,
     });
-    let (row, gravity) = found.unwrap();
+    let (row, gravity) = outlying.unwrap();
     assert!(row == 2 && (gravity - 9.81).abs() < 0.01, "{warnings:?}");
     assert!(!warnings.contains(&LengthsWarning::OffsetNeeded), "{warnings:?}");
 }

@@ -45,10 +45,10 @@ fn values(fit: &ResponseFit) -> Vec<f64> {
         .collect()
 }
 
-fn assert_near(found: &[f64], truth: &[f64], tolerance: f64) {
-    assert_eq!(found.len(), truth.len());
-    for (found, truth) in found.iter().zip(truth) {
-        assert!((found / truth - 1.0).abs() < tolerance, "{found} {truth}");
+fn assert_near(computed: &[f64], truth: &[f64], tolerance: f64) {
+    assert_eq!(computed.len(), truth.len());
+    for (value, truth) in computed.iter().zip(truth) {
+        assert!((value / truth - 1.0).abs() < tolerance, "{value} {truth}");
     }
 }
 
@@ -82,7 +82,7 @@ fn exact_sweeps_give_their_parameters_back() {
 
 /// The squared distance of the parameters from the truth, by the covariance: a χ² with as many degrees of freedom.
 fn distance_squared(fit: &ResponseFit, truth: &[f64]) -> f64 {
-    let off: Vec<f64> = values(fit).iter().zip(truth).map(|(found, truth)| found - truth).collect();
+    let off: Vec<f64> = values(fit).iter().zip(truth).map(|(value, truth)| value - truth).collect();
     let size = off.len();
     // Gauss's elimination of the covariance with the differences.
     let mut rows: Vec<Vec<f64>> = (0..size).map(|i| [&fit.covariance[i][..], &[off[i]]].concat()).collect();
@@ -145,8 +145,8 @@ fn stated_uncertainties_cover_the_truth_in_a_sweep() {
     let three = Limits { usual: 11.6..112.0, full: 72.7..249.2, own: 72.7..249.2 };
     let (number, seed) = (sweep::number(5, 16), sweep::seed(0x5eed));
     let mut all = 0.0;
-    for (place, (with_phases, part)) in (0..).zip([(false, 0.003), (false, 0.03), (true, 0.01)]) {
-        let seeded = [number, seed.wrapping_add(place)];
+    for (index, (with_phases, part)) in (0..).zip([(false, 0.003), (false, 0.03), (true, 0.01)]) {
+        let seeded = [number, seed.wrapping_add(index)];
         let fits = draws(pendulum(), ResponseModel::Pendulum, part, with_phases, seeded);
         let distance: f64 = fits.map(|fit| stated_distance_squared(&fit, &PENDULUM)).sum();
         one.check(distance, &format!("{with_phases} {part}"));
@@ -205,13 +205,13 @@ fn amplitudes_and_phases_scatter_each_by_their_own_in_a_sweep() {
     let of_scatter = Limits { usual: 0.570..1.596, full: 0.805..1.223, own: 0.81..1.21 };
     let together = Limits { usual: 35.5..245.8, full: 382.2..851.1, own: 382.2..851.1 };
     let (number, seed) = (sweep::number(10, 60), sweep::seed(0x5eed));
-    let draws = |place: u64, of_phase: &dyn Fn(f64) -> f64| {
-        unstated_draws(5e-4, of_phase, [number, seed.wrapping_add(place)])
+    let draws = |index: u64, of_phase: &dyn Fn(f64) -> f64| {
+        unstated_draws(5e-4, of_phase, [number, seed.wrapping_add(index)])
     };
     let degree = 1.0_f64.to_radians();
     let mut sum = 0.0;
-    for (place, of_phase) in (0..).zip([0.1, 1.0, 5.0]) {
-        let fits = draws(place, &|_| of_phase * degree);
+    for (index, of_phase) in (0..).zip([0.1, 1.0, 5.0]) {
+        let fits = draws(index, &|_| of_phase * degree);
         let all: f64 = fits.iter().map(|fit| distance_squared(fit, &TRUTH)).sum();
         of_three.check(all, &format!("all of {of_phase} deg"));
         let deviations = fits.iter().map(|fit| fit.natural_frequency.deviation_from(5.0));
@@ -280,8 +280,8 @@ fn closed_form_of_the_linear_oscillator() {
         };
         let table = ResponseTable::new(&columns).unwrap();
         assert_eq!(table.leads(), phases.is_some());
-        let found = fit_response(&table, &[ResponseModel::Linear], MeasuredAmplitude::Peak, &Quiet).unwrap();
-        assert_near(&values(found.best()), &[omega, damping, drive], 1e-9);
+        let fit = fit_response(&table, &[ResponseModel::Linear], MeasuredAmplitude::Peak, &Quiet).unwrap();
+        assert_near(&values(fit.best()), &[omega, damping, drive], 1e-9);
     }
 }
 
@@ -304,10 +304,10 @@ fn a_damping_that_amplitudes_leave_open_is_bounded() {
             ..Default::default()
         };
         let table = ResponseTable::new(&columns).unwrap();
-        let found = fit_response(&table, &[ResponseModel::Linear], MeasuredAmplitude::Peak, &Quiet).unwrap();
-        let damping = found.best().damping;
+        let fit = fit_response(&table, &[ResponseModel::Linear], MeasuredAmplitude::Peak, &Quiet).unwrap();
+        let damping = fit.best().damping;
         assert!((0.1..3.0).contains(&(damping.value + 3.0 * damping.uncertainty)), "{damping}");
-        open += usize::from(found.warnings.contains(&ResponseWarning::DampingOpen));
+        open += usize::from(fit.warnings.contains(&ResponseWarning::DampingOpen));
     }
     assert!(open > 0);
 }
@@ -360,11 +360,11 @@ fn what_cannot_be_fitted_is_refused_with_its_reason() {
         (&[1.0, 2.0], &[0.1, 0.0], "row 2: the amplitude 0.0"),
         (&[1.0, 1.0, 1.0, 1.0], &[0.1, 0.1, 0.1, 0.1], "linear response"),
     ] {
-        let found = refused(frequencies, amplitudes, &linear);
-        assert!(found.contains(words), "{found}");
+        let message = refused(frequencies, amplitudes, &linear);
+        assert!(message.contains(words), "{message}");
     }
-    let found = refused(&[1.0, 2.0, 3.0, 4.0], &[0.1, 4.0, 0.1, 0.1], &[ResponseModel::Pendulum]);
-    assert!(found.contains("row 2: the amplitude 4.0 rad is not below pi"), "{found}");
+    let message = refused(&[1.0, 2.0, 3.0, 4.0], &[0.1, 4.0, 0.1, 0.1], &[ResponseModel::Pendulum]);
+    assert!(message.contains("row 2: the amplitude 4.0 rad is not below pi"), "{message}");
     let columns = ResponseColumns {
         frequencies: &[1.0, 1.9, 2.0, 2.2, 3.0],
         amplitudes: &[0.9, 4.1, 5.0, 3.0, 0.5],
@@ -393,9 +393,9 @@ fn jumps_are_where_the_sweeps_have_them() {
     let columns = ResponseColumns { frequencies, amplitudes: peaks, ..Default::default() };
     let fit = fit(&columns, ResponseModel::Pendulum, MeasuredAmplitude::Peak);
     let jumps = fit.curve([1.9, 3.7], &Quiet).unwrap().jumps;
-    let found: Vec<(bool, f64)> = jumps.iter().map(|jump| (jump.rising, jump.frequency.value)).collect();
-    assert!(found.len() == 2 && !found[0].0 && found[1].0, "{found:?}");
-    assert!((2.13..2.23).contains(&found[0].1) && (2.7..2.8).contains(&found[1].1), "{found:?}");
+    let summaries: Vec<(bool, f64)> = jumps.iter().map(|jump| (jump.rising, jump.frequency.value)).collect();
+    assert!(summaries.len() == 2 && !summaries[0].0 && summaries[1].0, "{summaries:?}");
+    assert!((2.13..2.23).contains(&summaries[0].1) && (2.7..2.8).contains(&summaries[1].1), "{summaries:?}");
 }
 
 /// Frequency, amplitude, its uncertainty, phase and its uncertainty of `examples/response_synthetic.csv`, in rad/s and radians, without some rows.
@@ -404,9 +404,9 @@ fn example(left_out: &[usize]) -> [Vec<f64>; 5] {
     let lines = text.lines().filter(|line| line.starts_with(|first: char| first.is_ascii_digit()));
     let mut columns: [Vec<f64>; 5] = Default::default();
     for (_, line) in (1..).zip(lines).filter(|(row, _)| !left_out.contains(row)) {
-        for (place, (column, cell)) in columns.iter_mut().zip(line.split(',')).enumerate() {
+        for (index, (column, cell)) in columns.iter_mut().zip(line.split(',')).enumerate() {
             let value: f64 = cell.parse().unwrap();
-            column.push(if place == 0 { value } else { value.to_radians() });
+            column.push(if index == 0 { value } else { value.to_radians() });
         }
     }
     columns
@@ -439,9 +439,9 @@ fn noisy_rows_give_the_least_squares_over_responses() {
         (without, ResponseModel::Duffing, &[3.08845207, 0.27402597, -1.41342316, 1.33882825], 30.38602),
     ] {
         let fit = fit(&columns, model, MeasuredAmplitude::Peak);
-        for (place, (value, expected)) in values(&fit).iter().zip(expected).enumerate() {
-            let deviation = fit.covariance[place][place].sqrt();
-            assert!((value - expected).abs() < 0.02 * deviation, "{model} {place}: {value} {expected}");
+        for (index, (value, expected)) in values(&fit).iter().zip(expected).enumerate() {
+            let deviation = fit.covariance[index][index].sqrt();
+            assert!((value - expected).abs() < 0.02 * deviation, "{model} {index}: {value} {expected}");
         }
         assert!((fit.chi2.unwrap() - chi2).abs() < 0.1, "{model}: {:?} {chi2}", fit.chi2);
     }
@@ -480,9 +480,9 @@ fn a_model_that_misses_rows_next_to_folds_settles() {
         let columns = example(left_out);
         let without = ResponseColumns { phases: None, phase_uncertainties: None, ..stated(&columns) };
         let fit = fit(&without, ResponseModel::Duffing, MeasuredAmplitude::Peak);
-        for (place, (value, expected)) in values(&fit).iter().zip(expected).enumerate() {
-            let deviation = fit.covariance[place][place].sqrt();
-            assert!((value - expected).abs() < 0.05 * deviation, "{place}: {value} {expected}");
+        for (index, (value, expected)) in values(&fit).iter().zip(expected).enumerate() {
+            let deviation = fit.covariance[index][index].sqrt();
+            assert!((value - expected).abs() < 0.05 * deviation, "{index}: {value} {expected}");
         }
         assert!((fit.chi2.unwrap() - chi2).abs() < 1.0, "{:?} {chi2}", fit.chi2);
     }
@@ -524,9 +524,9 @@ fn random_pendulum(random: &mut Random) -> (DrivenPendulum, Vec<f64>, Vec<f64>) 
 #[test]
 fn good_pendulums_are_fitted_without_stated_uncertainties_in_a_sweep() {
     let mut random = Random::seeded(sweep::seed(0x91e5));
-    for place in 0..sweep::number(4, 60) {
+    for index in 0..sweep::number(4, 60) {
         let (truth, frequencies, peaks) = random_pendulum(&mut random);
-        let errors = if place % 2 == 0 { AmplitudeErrors::Absolute } else { AmplitudeErrors::Relative };
+        let errors = if index % 2 == 0 { AmplitudeErrors::Absolute } else { AmplitudeErrors::Relative };
         let part = random.log_between(-3.0, -1.5);
         let largest = peaks.iter().copied().fold(0.0, f64::max);
         let noisy: Vec<f64> = peaks
@@ -547,7 +547,7 @@ fn good_pendulums_are_fitted_without_stated_uncertainties_in_a_sweep() {
         let pendulum = fit.fits.iter().find(|fit| fit.model == ResponseModel::Pendulum).unwrap();
         let distance = distance_squared(pendulum, &[truth.omega, truth.damping, truth.drive]);
         // 3·F(3, 37) is beyond 75 with the probability 5e-9.
-        assert!(distance < 75.0, "{place} {errors:?} {truth:?} {part}: {distance}");
+        assert!(distance < 75.0, "{index} {errors:?} {truth:?} {part}: {distance}");
     }
 }
 
@@ -576,10 +576,10 @@ fn intervals_hold_under_both_laws_of_error_in_a_sweep() {
                 ..Default::default()
             };
             let fit = fit(&columns, ResponseModel::Pendulum, MeasuredAmplitude::Peak);
-            for ((held, truth), (value, place)) in
+            for ((held, truth), (value, index)) in
                 held.iter_mut().zip(PENDULUM).zip(values(&fit).iter().zip(0..))
             {
-                *held += u32::from((value - truth).abs() < T * fit.covariance[place][place].sqrt());
+                *held += u32::from((value - truth).abs() < T * fit.covariance[index][index].sqrt());
             }
         }
         for (held, name) in held.iter().zip(["omega0", "c", "A"]) {

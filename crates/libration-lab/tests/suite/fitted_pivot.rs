@@ -108,11 +108,11 @@ fn parts_about_one_pivot_share_its_error() {
     let go_on = &Quiet;
     let together = fit_traces(&parts, linear, &TraceOptions::default(), go_on).unwrap();
     let offsets: Vec<usize> = (0..together.parameters.len())
-        .filter(|&place| together.parameters[place].kind == ParameterKind::Offset)
+        .filter(|&index| together.parameters[index].kind == ParameterKind::Offset)
         .collect();
     let by_pivot = whole.fitted_pivot().unwrap().covariance[0][0].sqrt();
-    for &place in &offsets {
-        assert!(together.parameters[place].estimate.uncertainty > by_pivot);
+    for &index in &offsets {
+        assert!(together.parameters[index].estimate.uncertainty > by_pivot);
     }
     let correlation = together.correlations[offsets[0]][offsets[1]];
     assert!((0.5..1.0).contains(&correlation), "{correlation}");
@@ -227,15 +227,15 @@ fn dry_friction_by_the_falling_amplitude_is_as_uncertain_as_the_pivot_leaves_it(
         let fits = cycles_of(trace).envelope.unwrap().fits;
         fits.into_iter().find(|fit| fit.damping == only).unwrap().coefficients[0]
     };
-    let found: Vec<Coefficient> =
+    let coefficients: Vec<Coefficient> =
         (0..30).map(|_| coefficient(&about_a_drawn_pivot(&swing, &mut random))).collect();
     let pulls: Vec<f64> =
-        found.iter().map(|found| (found.estimate.value - dry) / found.estimate.uncertainty).collect();
+        coefficients.iter().map(|draw| (draw.estimate.value - dry) / draw.estimate.uncertainty).collect();
     assert!(are_pulls(&pulls), "{pulls:?}");
     assert!(
-        found.iter().all(|found| (0.9..1.3).contains(&(found.estimate.uncertainty / (0.005 * dry)))),
+        coefficients.iter().all(|draw| (0.9..1.3).contains(&(draw.estimate.uncertainty / (0.005 * dry)))),
         "{:?}",
-        found[0]
+        coefficients[0]
     );
 }
 
@@ -246,8 +246,8 @@ fn a_wrong_pivot_is_named_and_is_in_the_uncertainty_in_a_sweep() {
     let limits = Limits { usual: 3.5..8.5, full: 16.5..30.5, own: 26.5..30.5 };
     let mut random = Random::seeded(sweep::seed(0x919));
     let options = SwingsOptions { damping: Some("linear".parse().unwrap()), ..SwingsOptions::default() };
-    let is_named = |found: &SwingsFit| {
-        found.warnings.iter().any(|warning| matches!(warning, Warning::PivotContradicted { .. }))
+    let is_named = |fit: &SwingsFit| {
+        fit.warnings.iter().any(|warning| matches!(warning, Warning::PivotContradicted { .. }))
     };
     let mut near = 0;
     for seed in 0..sweep::number(8, 30) {
@@ -258,9 +258,9 @@ fn a_wrong_pivot_is_named_and_is_in_the_uncertainty_in_a_sweep() {
             let trace = positions_about(Some(pivot), amplitude, 5e-4, seed);
             fit_swings(&[trace], &options, &Quiet).unwrap()
         };
-        let found = said(pivot);
-        assert!(is_named(&found), "{pivot:?} from {amplitude}: {:?}", found.warnings);
-        let z = found.small_angle_period().deviation_from(Synthetic::USUAL.t0());
+        let fit = said(pivot);
+        assert!(is_named(&fit), "{pivot:?} from {amplitude}: {:?}", fit.warnings);
+        let z = fit.small_angle_period().deviation_from(Synthetic::USUAL.t0());
         eprintln!("{pivot:?} from {amplitude}: {z}");
         near += u32::from(z <= 2.5);
         assert!(!is_named(&said((0.3, 1.4))));

@@ -61,8 +61,8 @@ fn deviations(record: &GateRecord, jitter: f64, seeds: Range<u64>) -> [Deviation
 /// Standard deviations have the stated size, and two of them contain the truth. A part of the uncertainty of T0, 2.5e-6 of it, is that of
 /// approximations in the speeds and does not scatter, as large as two thirds of the rest from 1.5 rad: hence the lower limit.
 fn assert_honest(name: &str, record: &GateRecord, jitter: f64, seeds: u64) {
-    for (of, found) in ["T0", "β"].into_iter().zip(deviations(record, jitter, 1..seeds + 1)) {
-        let (rms, within, mean) = (found.rms(), found.within(2.0), found.mean());
+    for (of, tally) in ["T0", "β"].into_iter().zip(deviations(record, jitter, 1..seeds + 1)) {
+        let (rms, within, mean) = (tally.rms(), tally.within(2.0), tally.mean());
         assert!((0.6..1.3).contains(&rms) && within >= 0.88, "{name} {of}: {rms} {within} {mean}");
     }
 }
@@ -70,10 +70,10 @@ fn assert_honest(name: &str, record: &GateRecord, jitter: f64, seeds: u64) {
 /// The claim for other seeds too, with limits of the mean square and of the part within two.
 fn assert_honest_in_a_sweep(record: &GateRecord, jitter: f64, number: u64, [square, within]: [Limits; 2]) {
     let seed = sweep::seed(1);
-    for (of, found) in ["T0", "β"].into_iter().zip(deviations(record, jitter, seed..seed + number)) {
-        eprintln!("{of}: mean {}", found.mean());
-        square.check(found.mean_of(|z| z * z), &format!("mean square of {of}"));
-        within.check(found.within(2.0), &format!("part of {of} within two"));
+    for (of, tally) in ["T0", "β"].into_iter().zip(deviations(record, jitter, seed..seed + number)) {
+        eprintln!("{of}: mean {}", tally.mean());
+        square.check(tally.mean_of(|z| z * z), &format!("mean square of {of}"));
+        within.check(tally.within(2.0), &format!("part of {of} within two"));
     }
 }
 
@@ -88,8 +88,8 @@ fn what_amplitudes_by_speeds_leave_out_is_stated_in_a_sweep() {
     // The ends, and from each amplitude another damping or place.
     for (release, damping, gate) in sweep::part(cases, 5) {
         let record = GateRecord { release, damping, gate, ..RECORD };
-        for (of, found) in ["T0", "β"].into_iter().zip(deviations(&record, 0.0, 1..2)) {
-            assert!(found.rms() < 2.0, "{release} {damping} {gate} {of}: {}", found.rms());
+        for (of, tally) in ["T0", "β"].into_iter().zip(deviations(&record, 0.0, 1..2)) {
+            assert!(tally.rms() < 2.0, "{release} {damping} {gate} {of}: {}", tally.rms());
         }
     }
 }
@@ -141,8 +141,8 @@ fn long_records_are_as_uncertain_as_they_say() {
     assert_honest("from 1.5 rad", &GateRecord { gate: 0.02, release: 1.5, ..RECORD }, 2e-5, 100);
     let strong = GateRecord { gate: 0.02, release: 2.0, damping: 0.1, ..RECORD };
     // What speeds leave out is three quarters of these uncertainties, and does not scatter.
-    for found in deviations(&strong, 2e-5, 1..101) {
-        assert!(found.rms() < 1.3 && found.within(2.0) >= 0.88, "{} {}", found.rms(), found.within(2.0));
+    for tally in deviations(&strong, 2e-5, 1..101) {
+        assert!(tally.rms() < 1.3 && tally.within(2.0) >= 0.88, "{} {}", tally.rms(), tally.within(2.0));
     }
 }
 

@@ -49,9 +49,9 @@ fn the_noise_counts_as_in_fits() {
         let (recording, amplitude, synthetic) = planned(&synthetic, swings);
         let (omega0, uncertainty) = fitted(synthetic.trace(&mut random));
         let expected = recording.expected(&amplitude, swings).noise / 2.0;
-        let found = uncertainty / omega0;
+        let computed = uncertainty / omega0;
         // The scatter of this number of rows is itself uncertain by some percent.
-        assert!((expected / found - 1.0).abs() < 0.1, "{synthetic:?}: {expected} is not {found}");
+        assert!((expected / computed - 1.0).abs() < 0.1, "{synthetic:?}: {expected} is not {computed}");
     }
 }
 
@@ -92,9 +92,9 @@ fn small_undamped_swings_reach_the_bound_of_rife_and_boorstyn() {
         let duration = RECORDING.duration(&amplitude, swings);
         let rows = RECORDING.rate * duration;
         let phase = RECORDING.angular_frequency() * duration;
-        let known = 24.0_f64.sqrt() * RECORDING.angle_noise / (amplitude.radians() * rows.sqrt() * phase);
+        let expected = 24.0_f64.sqrt() * RECORDING.angle_noise / (amplitude.radians() * rows.sqrt() * phase);
         let noise = RECORDING.expected(&amplitude, swings).noise / 2.0;
-        assert!((noise / known - 1.0).abs() < 2e-3, "{noise} is not {known}");
+        assert!((noise / expected - 1.0).abs() < 2e-3, "{noise} is not {expected}");
     }
 }
 

@@ -38,15 +38,15 @@ fn degrees_in_a_file_are_those_of_the_command_line_to_the_last_bit() {
         [("angle (deg)", "deg"), ("velocity (deg/s)", "deg/s"), ("angle (mrad)", "mrad")]
     {
         let rows: String = tenths().zip(0..).map(|(angle, row)| format!("{row}.5,{angle}\n")).collect();
-        let found = traces(&format!("time (s),{heading}\n{rows}"), &Choices::default()).unwrap();
-        for (found, text) in found.traces[0].values().iter().zip(tenths()) {
+        let recording = traces(&format!("time (s),{heading}\n{rows}"), &Choices::default()).unwrap();
+        for (value, text) in recording.traces[0].values().iter().zip(tenths()) {
             let text = format!("{text} {command}");
             let dimension = if command == "deg/s" { Dimension::AngularVelocity } else { Dimension::Angle };
             let meant = match command {
                 "deg" => text.parse::<Angle>().unwrap().radians(),
                 _ => parse(&text, dimension).unwrap().value,
             };
-            assert_eq!(found.to_bits(), (meant + 0.0 * found).to_bits(), "{text}");
+            assert_eq!(value.to_bits(), (meant + 0.0 * value).to_bits(), "{text}");
         }
     }
 }
@@ -65,14 +65,14 @@ fn runs_side_by_side_are_read_with_their_names() {
                 0,000;0,02945;0,10000;0,000;0,03149;0,20000\r\n\
                 0,050;0,02969;-7,85399E-4;0,050;0,03152;0,10000\r\n\
                 ;;;0,100;0,03136;0,05000\r\n";
-    let found = traces(file, &Choices::default()).unwrap();
-    assert_eq!(found.traces[0].values(), [0.1, -7.85399e-4]);
-    assert_eq!(found.traces[1].times(), [0.0, 0.05, 0.1]);
-    assert_eq!([found.traces[0].name(), found.traces[1].name()], ["Anna 0.02", "Run #2"]);
-    assert_eq!(found.lines, [vec![2, 3], vec![2, 3, 4]]);
-    assert!(!told(&found).contains("incomplete"), "a shorter run just ends: {}", told(&found));
+    let recording = traces(file, &Choices::default()).unwrap();
+    assert_eq!(recording.traces[0].values(), [0.1, -7.85399e-4]);
+    assert_eq!(recording.traces[1].times(), [0.0, 0.05, 0.1]);
+    assert_eq!([recording.traces[0].name(), recording.traces[1].name()], ["Anna 0.02", "Run #2"]);
+    assert_eq!(recording.lines, [vec![2, 3], vec![2, 3, 4]]);
+    assert!(!told(&recording).contains("incomplete"), "a shorter run just ends: {}", told(&recording));
     let second = traces(file, &Choices { run: Some("2".into()), ..Choices::default() }).unwrap();
-    assert_eq!(second.traces, found.traces[1..]);
+    assert_eq!(second.traces, recording.traces[1..]);
     let missing = traces(file, &Choices { run: Some("3".into()), ..Choices::default() }).unwrap_err();
     assert_eq!(missing.to_string(), "there is no run `3`: the file has `Anna 0.02`, `Run #2`");
 }
@@ -89,18 +89,18 @@ fn tracks_stand_under_their_names() {
         two += &format!("{time}\t{x}\t{y}\t0.5\t{}\n", 0.1 + 1e-9 * time);
     }
     let chosen = Choices { x: named("x"), y: named("y"), ..Choices::default() };
-    let found = traces(&one, &chosen).unwrap();
+    let recording = traces(&one, &chosen).unwrap();
     assert!(
-        found.traces[0]
+        recording.traces[0]
             .values()
             .iter()
             .zip((0..).map(swing))
             .all(|(&angle, (_, truth))| (angle - truth).abs() < 1e-7)
     );
     assert!(
-        told(&found).contains("the pivot is at (0.00000") && told(&found).contains("y grows upwards"),
+        told(&recording).contains("the pivot is at (0.00000") && told(&recording).contains("y grows upwards"),
         "{}",
-        told(&found)
+        told(&recording)
     );
     let refused = traces(&two, &Choices::default()).unwrap_err();
     assert!(matches!(refused, MeasurementError::PivotUnknown(_)), "the stand does not swing: {refused}");
@@ -120,9 +120,9 @@ fn positions_in_a_picture_grow_downwards_and_a_short_arc_needs_its_pivot() {
         };
         format!("time (s),x (px),y (px)\n{}", (0..200).map(row).collect::<String>())
     };
-    let found = traces(&picture(2.5), &Choices::default()).unwrap();
-    assert!(told(&found).contains("y grows downwards"), "{}", told(&found));
-    let largest = found.traces[0]
+    let recording = traces(&picture(2.5), &Choices::default()).unwrap();
+    assert!(told(&recording).contains("y grows downwards"), "{}", told(&recording));
+    let largest = recording.traces[0]
         .values()
         .iter()
         .zip((0..).map(swing))
@@ -131,8 +131,8 @@ fn positions_in_a_picture_grow_downwards_and_a_short_arc_needs_its_pivot() {
     let refused = traces(&picture(0.02), &Choices::default()).unwrap_err();
     assert!(refused.to_string().contains("pivot=X,Y"), "{refused}");
     let chosen = Choices { pivot: Some((640.0, 50.0)), ..Choices::default() };
-    let found = traces(&picture(0.02), &chosen).unwrap();
-    assert!((found.traces[0].values()[0] - 0.02).abs() < 1e-6);
+    let recording = traces(&picture(0.02), &chosen).unwrap();
+    assert!((recording.traces[0].values()[0] - 0.02).abs() < 1e-6);
 }
 
 #[test]
@@ -148,16 +148,16 @@ fn counts_become_turns_and_jumps_are_taken_out() {
         refused.to_string(),
         "the unit of column 3 (`angle`) is not given: give angle-unit=rad or deg or counts-per-turn=4000"
     );
-    let found = traces(&file, &Choices { counts_per_turn: Some(4000.0), ..Choices::default() }).unwrap();
-    let values = found.traces[0].values();
+    let recording = traces(&file, &Choices { counts_per_turn: Some(4000.0), ..Choices::default() }).unwrap();
+    let values = recording.traces[0].values();
     assert!(
         values
             .iter()
             .zip((0..).map(swing))
             .all(|(&angle, (_, shape))| (angle - 1500.0 / 4000.0 * TAU * shape).abs() < 1e-3)
     );
-    assert_eq!((found.traces[0].name(), found.traces[0].times()[0]), ("packet 7", 492.306565));
-    assert!(told(&found).contains("jumps by a turn taken out"), "{}", told(&found));
+    assert_eq!((recording.traces[0].name(), recording.traces[0].times()[0]), ("packet 7", 492.306565));
+    assert!(told(&recording).contains("jumps by a turn taken out"), "{}", told(&recording));
 }
 
 #[test]
@@ -172,12 +172,12 @@ fn a_gyroscope_is_read_about_the_axis_it_turns_about() {
             shape.abs()
         );
     }
-    let found = traces(&file, &Choices::default()).unwrap();
+    let recording = traces(&file, &Choices::default()).unwrap();
     assert_eq!(
-        (found.traces[0].observable(), found.traces[0].values()[0]),
+        (recording.traces[0].observable(), recording.traces[0].values()[0]),
         (Observable::AngularVelocity, 1.0)
     );
-    assert!(told(&found).contains("nearly all of the motion"), "{}", told(&found));
+    assert!(told(&recording).contains("nearly all of the motion"), "{}", told(&recording));
     let other = Choices { angular_velocity: named("Gyroscope z"), ..Choices::default() };
     assert_eq!(traces(&file, &other).unwrap().traces[0].values()[0], -0.02);
 }
@@ -185,11 +185,11 @@ fn a_gyroscope_is_read_about_the_axis_it_turns_about() {
 #[test]
 fn uncertainties_go_with_their_values_each_in_its_unit() {
     let file = "t (min),θ (deg),sigma_theta (rad)\n0,30,0.01\n0.001,20,0.02\n0.002,10,\n";
-    let found = traces(file, &Choices::default()).unwrap();
-    assert_eq!(found.traces[0].uncertainties(), Some(&[0.01, 0.02][..]));
-    assert_eq!(found.traces[0].values(), [radians(30.0), radians(20.0)]);
-    assert_eq!(found.traces[0].times(), [0.0, 0.06]);
-    assert!(told(&found).contains("1 incomplete row left out"), "{}", told(&found));
+    let recording = traces(file, &Choices::default()).unwrap();
+    assert_eq!(recording.traces[0].uncertainties(), Some(&[0.01, 0.02][..]));
+    assert_eq!(recording.traces[0].values(), [radians(30.0), radians(20.0)]);
+    assert_eq!(recording.traces[0].times(), [0.0, 0.06]);
+    assert!(told(&recording).contains("1 incomplete row left out"), "{}", told(&recording));
 }
 
 #[test]
@@ -201,14 +201,14 @@ fn every_guess_can_be_overridden() {
         unit: Some(Unit::Radian),
         ..Choices::default()
     };
-    let found = traces(file, &chosen).unwrap();
+    let recording = traces(file, &chosen).unwrap();
     assert_eq!(
-        (found.traces[0].times(), found.traces[0].values()),
+        (recording.traces[0].times(), recording.traces[0].values()),
         (&[0.0, 0.05, 0.1][..], &[0.1, 0.2, 0.3][..])
     );
     let chosen = Choices { time_unit: Some(Unit::Minute), angle: named("θ"), ..chosen };
-    let found = traces(file, &Choices { unit: None, ..chosen.clone() }).unwrap();
-    assert_eq!((found.traces[0].times()[1], found.traces[0].values()[0]), (3000.0, radians(30.0)));
+    let recording = traces(file, &Choices { unit: None, ..chosen.clone() }).unwrap();
+    assert_eq!((recording.traces[0].times()[1], recording.traces[0].values()[0]), (3000.0, radians(30.0)));
     let wrong = traces(file, &Choices { unit: Some(Unit::Metre), ..chosen }).unwrap_err();
     assert_eq!(wrong.to_string(), "m is not a unit of an angle: give one such as rad, deg");
 }
@@ -222,10 +222,11 @@ fn a_file_without_a_header_says_what_must_be_said() {
         "{refused}"
     );
     let chosen = Choices { angle: Some(Column::Number(2)), unit: Some(Unit::Radian), ..Choices::default() };
-    let found = traces(file, &chosen).unwrap();
-    assert_eq!(found.traces[0].values(), [-1.148, -1.159, -1.204]);
+    let recording = traces(file, &chosen).unwrap();
+    assert_eq!(recording.traces[0].values(), [-1.148, -1.159, -1.204]);
     assert!(
-        told(&found).contains("only it increases throughout") && told(&found).contains("no unit is given")
+        told(&recording).contains("only it increases throughout")
+            && told(&recording).contains("no unit is given")
     );
 }
 
@@ -284,9 +285,10 @@ fn angles_that_jump_by_a_turn_at_rest_are_no_signals_of_gates() {
         (sampled("Angle (deg)", to_360), Choices::default()),
         (sampled("signal", to_180), Choices { unit: Some(Unit::Degree), ..Choices::default() }),
     ] {
-        let found = traces(&file, &choices).unwrap();
-        let values = found.traces[0].values();
-        let ends = values.iter().fold((f64::MAX, f64::MIN), |(low, high), it| (it.min(low), it.max(high)));
+        let recording = traces(&file, &choices).unwrap();
+        let values = recording.traces[0].values();
+        let ends =
+            values.iter().fold((f64::MAX, f64::MIN), |(low, high), value| (value.min(low), value.max(high)));
         assert!((ends.1 - ends.0 - 80_f64.to_radians()).abs() < 1e-3, "{ends:?}");
     }
 }
@@ -311,9 +313,9 @@ fn angles_that_rest_at_their_ends_are_no_signals_of_gates() {
 fn an_old_workbook_is_read_by_its_sheets() {
     let book = recording(include_bytes!("../data/workbook.xls"));
     assert_eq!(book.format(), Format::Xls);
-    let found = book.traces(&Choices::default()).unwrap();
-    assert_eq!(found.traces[0].values()[..3], [0.5, 0.4375, 0.375]);
-    assert_eq!((found.traces[0].len(), found.lines[0][0]), (12, 2));
+    let recording = book.traces(&Choices::default()).unwrap();
+    assert_eq!(recording.traces[0].values()[..3], [0.5, 0.4375, 0.375]);
+    assert_eq!((recording.traces[0].len(), recording.lines[0][0]), (12, 2));
     assert!(book.findings()[0].text.contains("`Metadata Device` is left out"));
     let table = Table::read(include_bytes!("../data/workbook.xls"), &ReadOptions::default()).unwrap();
     assert_eq!(table.select(&["Time (s)".parse().unwrap()]).unwrap().columns[0][1], 0.125);
@@ -332,18 +334,18 @@ fn times_with_three_significant_digits_are_the_even_times_they_come_from() {
         format!("t (s),theta (rad)\n{}", rows.collect::<String>())
     };
     for rate in [30.0, 29.97] {
-        let found = traces(&table(None, rate), &Choices::default()).unwrap();
-        let trace = &found.traces[0];
+        let recording = traces(&table(None, rate), &Choices::default()).unwrap();
+        let trace = &recording.traces[0];
         assert_eq!(trace.len(), 1650);
         assert!(
-            told(&found).contains("with 3 significant digits (times-as-written overrides it)"),
+            told(&recording).contains("with 3 significant digits (times-as-written overrides it)"),
             "{}",
-            told(&found)
+            told(&recording)
         );
         assert!(
-            !told(&found).contains("not by rounding") && !told(&found).contains("left out"),
+            !told(&recording).contains("not by rounding") && !told(&recording).contains("left out"),
             "{}",
-            told(&found)
+            told(&recording)
         );
         let span = trace.times()[1649] - trace.times()[0];
         let error = (span * rate / 1649.0 - 1.0).abs();
@@ -370,11 +372,11 @@ fn rows_that_share_times_are_kept_with_even_ones() {
         format!("{:.2},{:.4}\n", (100.0 * time).floor() / 100.0, 0.5 * libm::cos(4.0 * time))
     };
     let file = format!("t (s),theta (rad)\n{}", (0..800).map(row).collect::<String>());
-    let found = traces(&file, &Choices::default()).unwrap();
-    assert_eq!(found.traces[0].len(), 800);
-    let steps = found.traces[0].times().windows(2).map(|pair| pair[1] - pair[0]);
+    let recording = traces(&file, &Choices::default()).unwrap();
+    assert_eq!(recording.traces[0].len(), 800);
+    let steps = recording.traces[0].times().windows(2).map(|pair| pair[1] - pair[0]);
     assert!(steps.into_iter().all(|step| (step - 0.005).abs() < 1e-5));
-    assert!(told(&found).contains("so coarse that rows share them"), "{}", told(&found));
+    assert!(told(&recording).contains("so coarse that rows share them"), "{}", told(&recording));
     let uneven = file.replace("0.03,", "0.031,");
     let asked = Choices { stamps: Some(TimeStamps::Even), ..Choices::default() };
     assert!(matches!(traces(&uneven, &asked), Err(MeasurementError::NotEven { .. })));
@@ -392,20 +394,20 @@ fn timed(change: impl Fn(usize, f64) -> f64) -> String {
 #[test]
 fn one_time_out_of_order_costs_one_row_and_a_clock_set_back_cuts_the_run() {
     let stray = timed(|row, time| if row == 200 { 0.005 } else { time });
-    let found = traces(&stray, &Choices::default()).unwrap();
-    assert_eq!(found.traces[0].len(), 399);
+    let recording = traces(&stray, &Choices::default()).unwrap();
+    assert_eq!(recording.traces[0].len(), 399);
     assert!(
-        told(&found).contains("line 202: the time is out of order and belongs nowhere: left out"),
+        told(&recording).contains("line 202: the time is out of order and belongs nowhere: left out"),
         "{}",
-        told(&found)
+        told(&recording)
     );
     let set_back = timed(|row, time| if row < 150 { time } else { time - 0.5 });
-    let found = traces(&set_back, &Choices::default()).unwrap();
-    assert_eq!(found.traces.iter().map(|trace| trace.len()).collect::<Vec<_>>(), [150, 250]);
-    assert_eq!([found.traces[0].name(), found.traces[1].name()], ["run 1", "run 2"]);
-    assert!(told(&found).contains("line 152: the time goes back and restarts: cut there into 2 runs"));
+    let recording = traces(&set_back, &Choices::default()).unwrap();
+    assert_eq!(recording.traces.iter().map(|trace| trace.len()).collect::<Vec<_>>(), [150, 250]);
+    assert_eq!([recording.traces[0].name(), recording.traces[1].name()], ["run 1", "run 2"]);
+    assert!(told(&recording).contains("line 152: the time goes back and restarts: cut there into 2 runs"));
     let second = traces(&set_back, &Choices { run: Some("2".into()), ..Choices::default() }).unwrap();
-    assert_eq!(second.traces, found.traces[1..]);
+    assert_eq!(second.traces, recording.traces[1..]);
     for run in ["3", "Anna"] {
         let missing = traces(&set_back, &Choices { run: Some(run.into()), ..Choices::default() });
         assert!(matches!(missing, Err(MeasurementError::NoSuch { .. })));
@@ -425,10 +427,10 @@ fn what_is_not_asked_for_is_not_judged() {
         );
     assert!(matches!(traces(&file, &Choices::default()), Err(MeasurementError::TimeGoesBack { .. })));
     let part = Choices { from: Some(1.0), to: Some(3.0), ..Choices::default() };
-    let found = traces(&file, &part).unwrap();
-    let times = found.traces[0].times();
+    let recording = traces(&file, &part).unwrap();
+    let times = recording.traces[0].times();
     assert_eq!((times.len(), times[0], times[200]), (201, 1.0, 3.0));
-    assert!(!told(&found).contains("out of order"), "{}", told(&found));
+    assert!(!told(&recording).contains("out of order"), "{}", told(&recording));
     let nothing = traces(&file, &Choices { from: Some(7.0), ..Choices::default() }).unwrap_err();
     assert!(matches!(nothing, MeasurementError::NothingBetween { last, .. } if last == 3.0), "{nothing}");
 }
@@ -440,12 +442,12 @@ fn a_tilted_gyroscope_is_read_about_the_axis_that_it_turns_about() {
         let (time, rate) = (0.01 * f64::from(row), 90.0 * libm::sin(0.04 * f64::from(row)));
         file += &format!("{time:.2},{:.6},{:.6},{:.6}\n", -0.36 * rate, 0.48 * rate, 0.8 * rate);
     }
-    let found = traces(&file, &Choices::default()).unwrap();
-    assert_eq!(found.traces[0].observable(), Observable::AngularVelocity);
-    for (row, value) in (0..).zip(found.traces[0].values()) {
+    let recording = traces(&file, &Choices::default()).unwrap();
+    assert_eq!(recording.traces[0].observable(), Observable::AngularVelocity);
+    for (row, value) in (0..).zip(recording.traces[0].values()) {
         assert!((value - radians(90.0 * libm::sin(0.04 * f64::from(row)))).abs() < 1e-7);
     }
-    assert!(told(&found).contains("(-0.360, 0.480, 0.800)"), "{}", told(&found));
+    assert!(told(&recording).contains("(-0.360, 0.480, 0.800)"), "{}", told(&recording));
 }
 
 #[test]
@@ -462,18 +464,18 @@ fn an_acceleration_is_no_angle_whatever_is_said() {
     }
     let with_gyroscope =
         file.replace("(m/s^2)\n", "(m/s^2),Gyroscope z (rad/s)\n").replace("9.5\n", "9.5,1\n");
-    let found = traces(&with_gyroscope.replace("9.9\n", "9.9,2\n"), &Choices::default()).unwrap();
-    assert_eq!(found.traces[0].values(), [1.0, 2.0, 1.0]);
+    let recording = traces(&with_gyroscope.replace("9.9\n", "9.9,2\n"), &Choices::default()).unwrap();
+    assert_eq!(recording.traces[0].values(), [1.0, 2.0, 1.0]);
 }
 
 #[test]
 fn the_column_behind_the_angles_holds_their_uncertainties() {
     let file = "t (s),±,θ (deg),± (deg)\n0,0.001,30,0.5\n0.1,0.001,20,0.5\n";
-    let found = traces(file, &Choices::default()).unwrap();
-    assert_eq!(found.traces[0].uncertainties(), Some(&[radians(0.5); 2][..]));
+    let recording = traces(file, &Choices::default()).unwrap();
+    assert_eq!(recording.traces[0].uncertainties(), Some(&[radians(0.5); 2][..]));
     let without_unit = "t (s),θ (deg),±,height\n0,30,0.5,1\n0.1,20,0.5,1\n";
-    let found = traces(without_unit, &Choices::default()).unwrap();
-    assert_eq!(found.traces[0].uncertainties(), Some(&[radians(0.5); 2][..]));
+    let recording = traces(without_unit, &Choices::default()).unwrap();
+    assert_eq!(recording.traces[0].uncertainties(), Some(&[radians(0.5); 2][..]));
     let empty = "t (s),θ (deg),±\n0,30,\n0.1,20,\n";
     assert_eq!(traces(empty, &Choices::default()).unwrap().traces[0].uncertainties(), None);
 }
@@ -481,9 +483,9 @@ fn the_column_behind_the_angles_holds_their_uncertainties() {
 #[test]
 fn nanoseconds_and_turns_are_units_of_headings() {
     let file = "timestamp (ns),angle (turns)\n0,0.25\n20000000,0.125\n40000000,0\n";
-    let found = traces(file, &Choices::default()).unwrap();
-    assert_eq!(found.traces[0].times(), [0.0, 0.02, 0.04]);
-    assert_eq!(found.traces[0].values(), [0.25 * TAU, 0.125 * TAU, 0.0]);
+    let recording = traces(file, &Choices::default()).unwrap();
+    assert_eq!(recording.traces[0].times(), [0.0, 0.02, 0.04]);
+    assert_eq!(recording.traces[0].values(), [0.25 * TAU, 0.125 * TAU, 0.0]);
 }
 
 #[test]
@@ -506,18 +508,18 @@ fn times_that_rounding_has_kept_apart_stay_as_they_are_written() {
     let written = |row: u32| (1e3 * f64::from(row) / 60.0).round() / 1e3;
     let row = |row: u32| format!("{:.3},{:.4}\n", written(row), 0.5 * libm::cos(0.07 * f64::from(row)));
     let file = format!("t (s),theta (rad)\n{}", (0..300).map(row).collect::<String>());
-    let found = traces(&file, &Choices::default()).unwrap();
+    let recording = traces(&file, &Choices::default()).unwrap();
     assert!(
-        found.traces[0]
+        recording.traces[0]
             .times()
             .iter()
             .zip((0..).map(written))
             .all(|(time, truth)| (time - truth).abs() < 1e-15)
     );
-    assert!(found.traces[0].clock_uncertainty().abs() < 1e-300);
+    assert!(recording.traces[0].clock_uncertainty().abs() < 1e-300);
     let even = Choices { stamps: Some(TimeStamps::Even), ..Choices::default() };
-    let found = traces(&file, &even).unwrap();
-    assert!(found.traces[0].times().windows(2).all(|pair| (pair[1] - pair[0] - 1.0 / 60.0).abs() < 1e-6));
+    let recording = traces(&file, &even).unwrap();
+    assert!(recording.traces[0].times().windows(2).all(|pair| (pair[1] - pair[0] - 1.0 / 60.0).abs() < 1e-6));
 }
 
 /// The strongest axis has 99.5 % of the mean square, and alone would make all rates 0.25 % too small.
@@ -533,8 +535,8 @@ fn a_gyroscope_tilted_by_four_degrees_loses_nothing() {
             rate * 0.005_f64.sqrt()
         );
     }
-    let found = traces(&file, &Choices::default()).unwrap();
-    let values = found.traces[0].values();
+    let recording = traces(&file, &Choices::default()).unwrap();
+    let values = recording.traces[0].values();
     assert!(
         values.iter().zip(0..).all(|(value, row)| (value - libm::sin(0.04 * f64::from(row))).abs() < 1e-7)
     );
@@ -606,8 +608,8 @@ fn times_of_a_gate_that_begin_anew_are_refused() {
 
 #[test]
 fn one_numbered_symbol_names_no_run() {
-    let found = traces("t_{1},theta_{1} (rad)\n0,0.5\n0.1,0.4\n", &Choices::default()).unwrap();
-    assert_eq!(found.traces[0].name(), "");
+    let recording = traces("t_{1},theta_{1} (rad)\n0,0.5\n0.1,0.4\n", &Choices::default()).unwrap();
+    assert_eq!(recording.traces[0].name(), "");
 }
 
 #[test]
@@ -686,8 +688,8 @@ fn no_bytes_make_a_reader_panic() {
         let table = Table::read(&bytes, &ReadOptions::default());
         tables += usize::from(table.is_ok_and(|table| table.select(&[Column::Number(1)]).is_ok()));
         let Ok(recording) = Recording::read(&bytes, &ReadOptions::default()) else { continue };
-        let found = choices.iter().filter(|choices| recording.traces(choices).is_ok()).count();
-        read += found + usize::from(recording.gate_times(&choices[0]).is_ok());
+        let traces = choices.iter().filter(|choices| recording.traces(choices).is_ok()).count();
+        read += traces + usize::from(recording.gate_times(&choices[0]).is_ok());
     }
     assert!(read > 100 && tables > 100, "only {read} recordings and {tables} tables were read at all");
     let book = include_bytes!("../data/workbook.xls");

@@ -32,8 +32,8 @@ fn seen_as(trace: &Trace, see: impl Fn(usize, f64) -> f64) -> Trace {
     Trace::new("seen", trace.observable(), trace.times().to_vec(), values, None).unwrap()
 }
 
-fn names(found: &Spectrum) -> Vec<&'static str> {
-    found.remarks.iter().map(SpectrumRemark::name).collect()
+fn names(spectrum: &Spectrum) -> Vec<&'static str> {
+    spectrum.remarks.iter().map(SpectrumRemark::name).collect()
 }
 
 /// 120°, by mpmath as `reference/fourier.py` has it: frequency over that of small swings, and harmonics 1, 3, 5, 7.
@@ -50,11 +50,15 @@ const STILL: Synthetic =
 /// The sum of the harmonics above the eighth is below 1.5e-5 rad, and nearly orthogonal to the others.
 #[test]
 fn without_damping_and_noise_harmonics_are_the_exact_ones() {
-    let found = of(&STILL, 1);
-    assert_eq!(found.harmonics.len(), 8);
-    assert!((found.amplitude - STILL.amplitude).abs() < 2e-7, "{}", found.amplitude);
-    assert!((found.frequency / (3.0 * FREQUENCY / (2.0 * PI)) - 1.0).abs() < 1e-7, "{}", found.frequency);
-    for harmonic in &found.harmonics {
+    let spectrum = of(&STILL, 1);
+    assert_eq!(spectrum.harmonics.len(), 8);
+    assert!((spectrum.amplitude - STILL.amplitude).abs() < 2e-7, "{}", spectrum.amplitude);
+    assert!(
+        (spectrum.frequency / (3.0 * FREQUENCY / (2.0 * PI)) - 1.0).abs() < 1e-7,
+        "{}",
+        spectrum.frequency
+    );
+    for harmonic in &spectrum.harmonics {
         let exact = if harmonic.n % 2 == 1 { EXACT[harmonic.n / 2] } else { 0.0 };
         let quadrature = harmonic.quadrature.map_or(0.0, |quadrature| quadrature.value);
         assert!((harmonic.in_phase.value - exact).abs() < 1e-6, "{harmonic:?}");
@@ -72,10 +76,11 @@ fn without_damping_and_noise_harmonics_are_the_exact_ones() {
 #[test]
 fn falling_amplitudes_leave_the_harmonics_of_the_pendulum() {
     for linear in [0.02, 0.1] {
-        let found = of(&Synthetic { linear, ..Synthetic::USUAL }, 1);
-        let [first, last] = [0, found.windows.len() - 1].map(|place| found.windows[place].amplitude.value);
+        let spectrum = of(&Synthetic { linear, ..Synthetic::USUAL }, 1);
+        let [first, last] =
+            [0, spectrum.windows.len() - 1].map(|index| spectrum.windows[index].amplitude.value);
         assert!(last < 0.8 * first, "{first} {last}");
-        for window in &found.windows {
+        for window in &spectrum.windows {
             let third = window.harmonics[3];
             let off = third.in_phase.value / third.theory - 1.0;
             assert!(off.abs() < 2e-3, "{linear} at {} s: {off:e}", window.time);
@@ -87,7 +92,7 @@ fn falling_amplitudes_leave_the_harmonics_of_the_pendulum() {
                 assert!(window.harmonics[n].amplitude().value < 5e-6, "{:?}", window.harmonics[n]);
             }
         }
-        assert!(names(&found).iter().all(|name| *name == "outliers"), "{:?}", found.remarks);
+        assert!(names(&spectrum).iter().all(|name| *name == "outliers"), "{:?}", spectrum.remarks);
     }
 }
 
@@ -136,24 +141,24 @@ fn uncertainties_cover_the_truth_for_noise_with_and_without_memory_in_a_sweep() 
         let mut hits = [[0; 2]; 6];
         for draw in 0..number {
             let seed = seed.wrapping_add(1000 * kind + draw);
-            let found = found_in(&with_memory(&clean, correlation, SHORT.noise, seed));
-            assert_eq!(found.windows.len(), 2);
-            for (place, n) in [0, 2, 3, 4].into_iter().enumerate() {
-                let harmonic = found.harmonics[n];
+            let spectrum = found_in(&with_memory(&clean, correlation, SHORT.noise, seed));
+            assert_eq!(spectrum.windows.len(), 2);
+            for (index, n) in [0, 2, 3, 4].into_iter().enumerate() {
+                let harmonic = spectrum.harmonics[n];
                 assert_eq!(harmonic.degrees_of_freedom, 8);
                 let bias = truth.harmonics[n].difference.unwrap().value;
                 let difference = harmonic.difference.unwrap();
-                count(&mut hits[place], (difference.value - bias) / difference.uncertainty);
+                count(&mut hits[index], (difference.value - bias) / difference.uncertainty);
             }
-            let third = found.harmonics[3].quadrature.unwrap();
+            let third = spectrum.harmonics[3].quadrature.unwrap();
             let true_third = truth.harmonics[3].quadrature.unwrap().value;
             count(&mut hits[4], (third.value - true_third) / third.uncertainty);
-            let first = found.harmonics[1].in_phase;
+            let first = spectrum.harmonics[1].in_phase;
             count(&mut hits[5], (first.value - truth.harmonics[1].in_phase.value) / first.uncertainty);
         }
-        for (place, hits) in hits.into_iter().enumerate() {
+        for (index, hits) in hits.into_iter().enumerate() {
             for (of, hits) in hits.into_iter().enumerate() {
-                let what = format!("{correlation} {place} of {number} in {}", T_OF_8[of].0);
+                let what = format!("{correlation} {index} of {number} in {}", T_OF_8[of].0);
                 ONE_PLACE[of].check(f64::from(hits), &what);
                 all[of] += hits;
             }
@@ -174,20 +179,20 @@ fn count(hits: &mut [u32; 2], deviation: f64) {
 #[test]
 fn an_instrument_that_bends_the_scale_is_seen_in_the_second_harmonic() {
     let noisy = Synthetic { noise: 1e-3, ..Synthetic::USUAL }.trace(&mut Random::seeded(2));
-    let found = found_in(&seen_as(&noisy, |_, value| value + 0.02 * value * value));
-    let window = &found.windows[0];
+    let spectrum = found_in(&seen_as(&noisy, |_, value| value + 0.02 * value * value));
+    let window = &spectrum.windows[0];
     let expected = 0.5 * 0.02 * window.amplitude.value * window.amplitude.value;
     let second = window.harmonics[2];
     assert!((second.in_phase.value / expected - 1.0).abs() < 0.02, "{second:?} {expected}");
-    assert!(names(&found).contains(&"even_harmonic"), "{:?}", found.remarks);
+    assert!(names(&spectrum).contains(&"even_harmonic"), "{:?}", spectrum.remarks);
     assert!(!names(&found_in(&noisy)).contains(&"even_harmonic"));
 }
 
 #[test]
 fn a_wrong_scale_is_told_from_the_third_harmonic() {
     let noisy = Synthetic { noise: 1e-3, ..Synthetic::USUAL }.trace(&mut Random::seeded(3));
-    let found = found_in(&seen_as(&noisy, |_, value| 0.9 * value));
-    let told = found.remarks.iter().find_map(|remark| match remark {
+    let spectrum = found_in(&seen_as(&noisy, |_, value| 0.9 * value));
+    let told = spectrum.remarks.iter().find_map(|remark| match remark {
         SpectrumRemark::Odd { n: 3, scale, ratio } => Some((scale.unwrap(), *ratio)),
         _ => None,
     });
@@ -214,9 +219,12 @@ fn dry_friction_is_seen_beside_the_third_harmonic() {
 
 #[test]
 fn an_offset_is_told() {
-    let found = of(&Synthetic { offset: 0.02, noise: 1e-3, ..Synthetic::USUAL }, 5);
-    assert_eq!(names(&found), ["offset"]);
-    assert!((found.harmonics[0].in_phase.value - 0.02).abs() < 5.0 * found.harmonics[0].in_phase.uncertainty);
+    let spectrum = of(&Synthetic { offset: 0.02, noise: 1e-3, ..Synthetic::USUAL }, 5);
+    assert_eq!(names(&spectrum), ["offset"]);
+    assert!(
+        (spectrum.harmonics[0].in_phase.value - 0.02).abs()
+            < 5.0 * spectrum.harmonics[0].in_phase.uncertainty
+    );
 }
 
 /// A third of the rows left out at random, all rows of two swings, and one row in 25 that is wrong.
@@ -228,38 +236,38 @@ fn uneven_rows_gaps_and_outliers_do_not_matter() {
     let spoilt = seen_as(&whole, |row, value| if row % 25 == 3 { value + 2.0 } else { value });
     let kept = |row: usize| chosen[row] && !(15.0..20.0).contains(&whole.times()[row]);
     let part = spoilt.only(kept).unwrap();
-    let found = found_in(&part);
+    let spectrum = found_in(&part);
     let wrong = (0..whole.len()).filter(|row| kept(*row) && row % 25 == 3).count();
     assert!(
-        found.outliers.len() <= wrong && found.outliers.len() + 12 >= wrong,
+        spectrum.outliers.len() <= wrong && spectrum.outliers.len() + 12 >= wrong,
         "{} of {wrong}",
-        found.outliers.len()
+        spectrum.outliers.len()
     );
     assert!(
-        names(&found).contains(&"windows_left_out") && names(&found).contains(&"outliers"),
+        names(&spectrum).contains(&"windows_left_out") && names(&spectrum).contains(&"outliers"),
         "{:?}",
-        found.remarks
+        spectrum.remarks
     );
-    for harmonic in found.harmonics.iter().filter(|harmonic| harmonic.n != 1) {
+    for harmonic in spectrum.harmonics.iter().filter(|harmonic| harmonic.n != 1) {
         assert!(harmonic.deviation().unwrap().abs() < 4.0, "{harmonic:?}");
     }
-    let third = found.harmonics[3];
+    let third = spectrum.harmonics[3];
     assert!(third.in_phase.uncertainty < 0.02 * third.theory.abs(), "{third:?}");
-    assert!((found.noise / 1e-3 - 1.0).abs() < 0.1, "{}", found.noise);
+    assert!((spectrum.noise / 1e-3 - 1.0).abs() < 0.1, "{}", spectrum.noise);
 }
 
 /// Ten rows in a period resolve four harmonics: half of ten, minus one half.
 #[test]
 fn harmonics_beyond_half_the_sampling_rate_are_not_told() {
-    let found = of(&Synthetic { step: 0.215, rows: 200, noise: 1e-3, ..Synthetic::USUAL }, 8);
-    assert_eq!(found.harmonics.len(), 5);
+    let spectrum = of(&Synthetic { step: 0.215, rows: 200, noise: 1e-3, ..Synthetic::USUAL }, 8);
+    assert_eq!(spectrum.harmonics.len(), 5);
     assert!(
-        found.remarks.contains(&SpectrumRemark::NotSampled { highest: 4, asked: 7 }),
+        spectrum.remarks.contains(&SpectrumRemark::NotSampled { highest: 4, asked: 7 }),
         "{:?}",
-        found.remarks
+        spectrum.remarks
     );
-    assert!(found.harmonics[3].deviation().unwrap().abs() < 4.0);
-    let last = found.points.last().unwrap().frequency;
+    assert!(spectrum.harmonics[3].deviation().unwrap().abs() < 4.0);
+    let last = spectrum.points.last().unwrap().frequency;
     assert!(last < 0.5 / 0.215, "{last}");
 }
 
@@ -276,9 +284,9 @@ fn uncertainties_of_rows_are_weights() {
     let trace =
         Trace::new("weighted", Observable::Angle, times.clone(), values.clone(), uncertainties).unwrap();
     let without = Trace::new("plain", Observable::Angle, times, values, None).unwrap();
-    let [found, without] = [&trace, &without].map(found_in);
-    assert!((found.noise - 1.0).abs() < 0.1, "{}", found.noise);
-    let [weighted, plain] = [found, without].map(|it| it.harmonics[3].in_phase.uncertainty);
+    let [stated, without] = [&trace, &without].map(found_in);
+    assert!((stated.noise - 1.0).abs() < 0.1, "{}", stated.noise);
+    let [weighted, plain] = [stated, without].map(|spectrum| spectrum.harmonics[3].in_phase.uncertainty);
     assert!(weighted < 0.3 * plain, "{weighted} {plain}");
 }
 
@@ -307,9 +315,9 @@ fn what_has_no_harmonics_is_refused() {
 #[test]
 fn windows_of_three_swings_take_all_residuals_for_noise() {
     let trace = Synthetic { rows: 370, noise: 1e-3, ..Synthetic::USUAL }.trace(&mut Random::seeded(11));
-    let found = found_in(&trace);
-    assert_eq!(found.windows.len(), 1);
-    for harmonic in &found.harmonics {
+    let spectrum = found_in(&trace);
+    assert_eq!(spectrum.windows.len(), 1);
+    for harmonic in &spectrum.harmonics {
         // 0.5·cos² of 370 rows; the constant and the first have more columns next to them.
         let uncertainty = harmonic.in_phase.uncertainty / (1e-3 * (2.0_f64 / 370.0).sqrt());
         assert!((0.5..4.0).contains(&uncertainty), "{harmonic:?}");
@@ -318,7 +326,7 @@ fn windows_of_three_swings_take_all_residuals_for_noise() {
             "{harmonic:?}"
         );
     }
-    assert!(found.harmonics[1].degrees_of_freedom > 300, "{:?}", found.harmonics[1]);
+    assert!(spectrum.harmonics[1].degrees_of_freedom > 300, "{:?}", spectrum.harmonics[1]);
 }
 
 #[test]
@@ -402,10 +410,10 @@ fn periodograms_are_those_of_scipy() {
     let values: Vec<f64> = (0..).zip(&times).map(value).collect();
     let weights: Vec<f64> = (0..60).map(|k| 1.0 + 0.5 * f64::from(k % 5)).collect();
     for (weights, (powers, amplitudes)) in [None, Some(&weights[..])].into_iter().zip(SCIPY) {
-        let found = lomb_scargle(&times, &values, weights, 0.3, 7, &Quiet).unwrap();
-        for (place, point) in found.iter().enumerate() {
-            assert!((point.power - powers[place]).abs() < 1e-12, "{point:?} {}", powers[place]);
-            assert!((point.amplitude - amplitudes[place]).abs() < 1e-12, "{point:?} {}", amplitudes[place]);
+        let points = lomb_scargle(&times, &values, weights, 0.3, 7, &Quiet).unwrap();
+        for (index, point) in points.iter().enumerate() {
+            assert!((point.power - powers[index]).abs() < 1e-12, "{point:?} {}", powers[index]);
+            assert!((point.amplitude - amplitudes[index]).abs() < 1e-12, "{point:?} {}", amplitudes[index]);
         }
     }
 }
@@ -414,9 +422,9 @@ fn periodograms_are_those_of_scipy() {
 fn rows_that_determine_no_sine_have_none() {
     let even: Vec<f64> = (0..20).map(f64::from).collect();
     let values: Vec<f64> = even.iter().map(|t| libm::cos(t * 1.3)).collect();
-    let found = lomb_scargle(&even, &values, None, 0.25, 4, &Quiet).unwrap();
+    let points = lomb_scargle(&even, &values, None, 0.25, 4, &Quiet).unwrap();
     // At 1/4 of the rate there is a sine; at half of it cosines alone, at the rate a constant alone.
-    let is_there: Vec<bool> = found.iter().map(|point| point.amplitude.is_finite()).collect();
+    let is_there: Vec<bool> = points.iter().map(|point| point.amplitude.is_finite()).collect();
     assert_eq!(is_there, [true, false, true, false]);
     assert!(lomb_scargle(&even[..2], &values, None, 0.25, 1, &Quiet).unwrap()[0].power.is_nan());
     assert!(lomb_scargle(&[], &[], None, 0.25, 1, &Quiet).unwrap()[0].power.is_nan());

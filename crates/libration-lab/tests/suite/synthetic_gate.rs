@@ -41,7 +41,11 @@ impl GateRecord {
             integrate(&system, &start, &[self.seconds], &Effort::to_tolerance(1e-12), &Quiet).unwrap();
         // Moving down the upper edge comes first.
         let blocks = |velocity: f64, event: usize| (event == 1) == (velocity < 0.0);
-        motion.events.iter().map(|found| (found.time, blocks(found.state[1], found.event))).collect()
+        motion
+            .events
+            .iter()
+            .map(|crossing| (crossing.time, blocks(crossing.state[1], crossing.event)))
+            .collect()
     }
 }
 

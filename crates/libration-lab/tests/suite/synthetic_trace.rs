@@ -60,9 +60,9 @@ impl Synthetic {
         let start = Moment { time: 0.0, state: vec![self.amplitude, self.velocity] };
         let effort = Effort::to_tolerance(1e-12);
         let solution = integrate(&system, &start, &times, &effort, &Quiet).unwrap();
-        let place = usize::from(self.observable == Observable::AngularVelocity);
+        let component = usize::from(self.observable == Observable::AngularVelocity);
         let observable = |state: &[f64]| {
-            let value = state[place] + self.offset + self.noise * normal(random);
+            let value = state[component] + self.offset + self.noise * normal(random);
             if self.quantum > 0.0 { self.quantum * libm::round(value / self.quantum) } else { value }
         };
         let values = solution.samples.iter().map(|sample| sample.state.as_slice()).map(observable).collect();

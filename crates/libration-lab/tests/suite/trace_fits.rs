@@ -147,19 +147,20 @@ struct Coverage(Vec<(ParameterKind, [u32; 3])>);
 impl Coverage {
     fn count(&mut self, parameter: &Parameter, truth: f64) {
         let held = parameter.intervals.map(|[low, high]| u32::from((low..=high).contains(&truth)));
-        let place = self.0.iter().position(|(kind, _)| *kind == parameter.kind).unwrap_or_else(|| {
+        let index = self.0.iter().position(|(kind, _)| *kind == parameter.kind).unwrap_or_else(|| {
             self.0.push((parameter.kind, [0; 3]));
             self.0.len() - 1
         });
-        for (sum, one) in self.0[place].1.iter_mut().zip([1, held[0], held[1]]) {
+        for (sum, one) in self.0[index].1.iter_mut().zip([1, held[0], held[1]]) {
             *sum += one;
         }
     }
 
     /// The fractions of all intervals that contain the truth.
     fn parts(&self) -> [f64; 2] {
-        let all = self.0.iter().fold([0; 3], |sum, (_, one)| [0, 1, 2].map(|place| sum[place] + one[place]));
-        [1, 2].map(|place| f64::from(all[place]) / f64::from(all[0]))
+        let all =
+            self.0.iter().fold([0; 3], |sum, (_, one)| [0, 1, 2].map(|column| sum[column] + one[column]));
+        [1, 2].map(|column| f64::from(all[column]) / f64::from(all[0]))
     }
 }
 
@@ -256,9 +257,9 @@ fn angular_velocities_of_large_damped_swings_are_fitted() {
             ..Synthetic::USUAL
         };
         let traces = [case.trace(&mut random)];
-        let found = fit(&traces, "linear+quadratic".parse().unwrap(), TraceOptions::default());
-        assert!((0.9..1.1).contains(&(found.rms / 0.02)), "{degrees}°: {}", found.rms);
-        assert!(deviation(&found, ParameterKind::NaturalFrequency, 3.0).abs() < 4.0, "{degrees}°");
+        let fit = fit(&traces, "linear+quadratic".parse().unwrap(), TraceOptions::default());
+        assert!((0.9..1.1).contains(&(fit.rms / 0.02)), "{degrees}°: {}", fit.rms);
+        assert!(deviation(&fit, ParameterKind::NaturalFrequency, 3.0).abs() < 4.0, "{degrees}°");
     }
 }
 
@@ -280,8 +281,8 @@ fn several_traces_share_the_pendulum() {
     for (number, truth) in truths.iter().enumerate() {
         let alone = fit(&traces[number..=number], linear, TraceOptions::default());
         assert!(joint.parameters[0].estimate.uncertainty < alone.parameters[0].estimate.uncertainty);
-        let own = joint.parameters.iter().filter(|parameter| parameter.trace == Some(number));
-        let [offset, angle, _] = own.collect::<Vec<_>>()[..] else { panic!() };
+        let parameters = joint.parameters.iter().filter(|parameter| parameter.trace == Some(number));
+        let [offset, angle, _] = parameters.collect::<Vec<_>>()[..] else { panic!() };
         assert!((offset.estimate.value - truth.offset).abs() < 3.0 * offset.estimate.uncertainty);
         assert!((angle.estimate.value - truth.state[0]).abs() < 3.0 * angle.estimate.uncertainty);
     }

@@ -132,8 +132,8 @@ fn intervals_and_warnings_hold_where_readings_scatter_differently_in_a_sweep() {
     let mut outside = vec![];
     for variances in variances {
         for (rows, of_each) in [(5, 3), (8, 3), (12, 3), (8, 4), (5, 6), (12, 6)] {
-            for (of, found) in ["t0", "g"].iter().zip(tallies(rows, of_each, variances, &mut random)) {
-                let [coverage, warnings] = [found.coverage(), found.warnings()];
+            for (of, tally) in ["t0", "g"].iter().zip(tallies(rows, of_each, variances, &mut random)) {
+                let [coverage, warnings] = [tally.coverage(), tally.warnings()];
                 let case =
                     format!("{variances:?} {of} {rows} rows of {of_each}: {coverage:.3} {warnings:.3}");
                 let expected = 0.931 - error(0.931)..=0.975 + error(0.975);

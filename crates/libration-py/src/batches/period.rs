@@ -25,7 +25,7 @@ pub(super) fn add_all(module: &Bound<'_, PyModule>) -> PyResult<()> {
 fn nomes(amplitudes: &[f64], nomes: &mut [f64]) -> Result<(), LengthMismatch> {
     let amplitude = |radians: f64| Amplitude::new(Angle::from_radians(radians).ok()?).ok();
     for (radians, nome) in amplitudes.iter().zip(nomes) {
-        *nome = amplitude(*radians).map_or(f64::NAN, |it| it.nome());
+        *nome = amplitude(*radians).map_or(f64::NAN, |swing| swing.nome());
     }
     Ok(())
 }

@@ -57,7 +57,7 @@ impl<const N: usize> ColumnUnits<N> {
                     // `T2` without a unit may be a square.
                     let may_be_square = number < 3.0 && of_unit.is_none();
                     let lengths = lengths(all, read, &units, &are_stated).filter(|_| !may_be_square)?;
-                    let times = read.quantities[index].iter().map(|it| unit.to_si(it[0]));
+                    let times = read.quantities[index].iter().map(|reading| unit.to_si(reading[0]));
                     swings_of_numbered_time(number, &lengths.into_iter().zip(times).collect::<Vec<_>>())
                 };
                 let counted =
@@ -73,7 +73,8 @@ impl<const N: usize> ColumnUnits<N> {
                 (units[index], counts[index]) = (unit, count);
                 if number == 0 {
                     are_stated[index] = of_unit.is_some() && fractions[index].is_none();
-                    inferences.extend(of_unit.into_iter().chain(of_count).map(|it| in_words(&it)));
+                    inferences
+                        .extend(of_unit.into_iter().chain(of_count).map(|sentence| in_words(&sentence)));
                 }
             }
         }
@@ -83,7 +84,7 @@ impl<const N: usize> ColumnUnits<N> {
 
 /// The largest magnitude of the readings at a place.
 fn largest(read: &Readings, index: usize) -> f64 {
-    read.quantities[index].iter().flatten().fold(0.0, |largest, it| largest.max(it.abs()))
+    read.quantities[index].iter().flatten().fold(0.0, |largest, reading| largest.max(reading.abs()))
 }
 
 /// A sentence about angles without a unit that are too large for radians. Other amplitudes may be lengths.

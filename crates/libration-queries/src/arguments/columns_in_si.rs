@@ -78,7 +78,8 @@ impl<const N: usize> ColumnsInSi<N> {
             .iter()
             .cloned()
             .chain(
-                [&chosen.column_of_swings, &chosen.column_of_readings].map(|it| it.iter().cloned().collect()),
+                [&chosen.column_of_swings, &chosen.column_of_readings]
+                    .map(|column| column.iter().cloned().collect()),
             )
             .collect();
         let read = table.readings(&asked).map_err(|error| error.to_string())?;
@@ -92,7 +93,7 @@ impl<const N: usize> ColumnsInSi<N> {
         let names = labels(&read)?;
         let (read, ignored) = chosen.rows.choose(read, wanted[0], units.units[0], names.as_deref())?;
         let numbers = |index: usize, column: &Option<Column>| -> Option<Vec<f64>> {
-            column.as_ref().map(|_| read.quantities[index].iter().map(|it| it[0]).collect())
+            column.as_ref().map(|_| read.quantities[index].iter().map(|reading| reading[0]).collect())
         };
         let swings = numbers(N, &chosen.column_of_swings);
         let numbers_of_readings = numbers(N + 1, &chosen.column_of_readings);

@@ -45,17 +45,17 @@ impl ReadColumn {
         let of_quantities = quantities.zip(&roles.quantities).flat_map(|((index, quantity), columns)| {
             let name = quantity.name;
             let readings = columns.readings.iter().map(move |reading| column(reading, name, Some(index)));
-            let uncertainties = columns.uncertainties.iter().map(move |(it, kind)| {
+            let uncertainties = columns.uncertainties.iter().map(move |(uncertainty, kind)| {
                 let of = |wanted: &Wanted| wanted.uncertainties_of() == Some(index);
-                column(it, &format!("{name}-{}", kind.word()), wanted.iter().position(of))
+                column(uncertainty, &format!("{name}-{}", kind.word()), wanted.iter().position(of))
             });
             readings.chain(uncertainties).collect::<Vec<_>>()
         });
         let others = [("swings", &roles.swings), ("readings", &roles.readings), ("group", &roles.group)];
-        let others = others.into_iter().filter_map(|(role, it)| it.as_ref().map(|it| column(it, role, None)));
-        let unused = roles.unused.iter().map(|it| column(it, "ignore", None));
+        let others = others.into_iter().map(|(role, chosen)| column(chosen.as_ref()?, role, None));
+        let unused = roles.unused.iter().map(|unread| column(unread, "ignore", None));
         let mut all: Vec<Self> = of_quantities.chain(others).chain(unused).flatten().collect();
-        all.sort_by_key(|it| it.number);
+        all.sort_by_key(|read| read.number);
         all
     }
 

@@ -49,8 +49,9 @@ impl<const N: usize> SiRows<'_, N> {
         let are_deviations = |index: &usize| self.chosen.kinds[*index] == UncertaintyKind::Deviation;
         let columns =
             (0..N).filter(are_deviations).filter(|index| self.wanted[*index].uncertainties_of.is_some());
-        let negative =
-            |of: usize| self.read.quantities[of].iter().position(|it| it.iter().any(|&it| it < 0.0));
+        let negative = |of: usize| {
+            self.read.quantities[of].iter().position(|readings| readings.iter().any(|&reading| reading < 0.0))
+        };
         columns.filter_map(negative).min()
     }
 
@@ -197,7 +198,7 @@ impl<const N: usize> SiRows<'_, N> {
 
     /// Uncertainties of a column: relative to the readings, or in the unit of the column.
     fn written(&self, index: usize, of: usize, standard: impl Fn(f64) -> f64) -> Vec<f64> {
-        let numbers = self.read.quantities[index].iter().map(|it| it[0]).enumerate();
+        let numbers = self.read.quantities[index].iter().map(|reading| reading[0]).enumerate();
         let one = |(row, number): (usize, f64)| match self.units.fractions[index] {
             Some(fraction) => self.chosen.kinds[index].standard(fraction * number) * self.quantity(of, row),
             None => standard(number),

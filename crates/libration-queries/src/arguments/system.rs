@@ -103,7 +103,7 @@ impl PendulumSystemOptions {
 
     /// The model with one more parameter that has a value.
     pub(crate) fn model_over(&self, parameter: Option<(&str, f64)>) -> Result<Model, QueryError> {
-        let names: Vec<_> = parameter.iter().map(|it| it.0).collect();
+        let names: Vec<_> = parameter.iter().map(|named| named.0).collect();
         let varied = Varied { names: &names, giver: &option("over") };
         self.system.model_with(&self.values(parameter)?, &[], varied)
     }

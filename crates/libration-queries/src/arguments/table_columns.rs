@@ -95,7 +95,7 @@ impl ColumnsOption {
         group: Option<&Column>,
     ) -> Result<ChosenColumns<N>, QueryError> {
         let no_result = |reason: String| QueryError::no_result(file, reason);
-        let quantities: Vec<TableQuantity> = wanted.iter().filter_map(|it| it.quantity()).collect();
+        let quantities: Vec<TableQuantity> = wanted.iter().filter_map(|column| column.quantity()).collect();
         if self.columns.is_empty() && self.role.is_empty() && table.names().is_empty() && table.width() > 2 {
             let width = table.width();
             return Err(no_result(format!(
@@ -155,7 +155,7 @@ impl ColumnsOption {
 
 /// Index of the quantity at a position among the wanted ones.
 fn index_of<const N: usize>(wanted: &[Wanted; N], index: usize) -> usize {
-    wanted[..index].iter().filter(|it| it.uncertainties_of().is_none()).count()
+    wanted[..index].iter().filter(|column| column.uncertainties_of().is_none()).count()
 }
 
 /// The columns at the positions of the wanted quantities.
@@ -173,7 +173,9 @@ fn chosen<const N: usize>(
         None => of(index).readings.clone(),
         Some(_) => of(index).uncertainties.iter().map(|(column, _)| column.clone()).collect(),
     };
-    let kind = |index: usize| of(index).uncertainties.as_ref().map_or(UncertaintyKind::Standard, |it| it.1);
+    let kind = |index: usize| {
+        of(index).uncertainties.as_ref().map_or(UncertaintyKind::Standard, |uncertainty| uncertainty.1)
+    };
     let is_inferred = !is_said;
     ChosenColumns {
         columns: std::array::from_fn(columns),
@@ -207,10 +209,13 @@ impl TableFit {
         let amplitudes = Wanted::amplitudes(None::<AmplitudeUnit>);
         [("fit lengths", lengths), ("fit periods", amplitudes)].into_iter().find_map(|(command, first)| {
             let wanted = [first, periods, first.uncertainties(0), periods.uncertainties(1)];
-            let quantities: Vec<TableQuantity> = wanted.iter().filter_map(|it| it.quantity()).collect();
+            let quantities: Vec<TableQuantity> =
+                wanted.iter().filter_map(|column| column.quantity()).collect();
             let roles = table.roles(&quantities, &GivenRoles::default()).ok()?;
-            let are_named =
-                quantities.iter().zip(&roles.quantities).all(|(it, columns)| table.heads(it, columns));
+            let are_named = quantities
+                .iter()
+                .zip(&roles.quantities)
+                .all(|(quantity, columns)| table.heads(quantity, columns));
             let are_periods = are_named && !begins_at_zero(table, &roles.quantities[1].readings);
             are_periods.then(|| {
                 let columns = ReadColumn::all(table, &wanted, &roles);
@@ -223,7 +228,7 @@ impl TableFit {
 /// `true` for times of a recording, which begin at zero, or cells that are not numbers.
 fn begins_at_zero(table: &Table, columns: &[Column]) -> bool {
     let read = table.readings(&[columns.to_vec()]);
-    let first = read.ok().and_then(|it| it.quantities[0].first()?.first().copied());
+    let first = read.ok().and_then(|readings| readings.quantities[0].first()?.first().copied());
     first.is_none_or(|first| first <= 0.0)
 }
 
@@ -232,17 +237,17 @@ fn notes<const N: usize>(table: &Table, wanted: &[Wanted; N], roles: &TableRoles
     let describe = |columns: &[Column]| {
         columns.iter().filter_map(|column| table.describe(column).ok()).collect::<Vec<_>>().join(", ")
     };
-    let quantities = wanted.iter().filter_map(|it| it.quantity()).zip(&roles.quantities);
-    let read = quantities.flat_map(|(quantity, it)| {
-        let squares = if it.are_squares { "squares of the " } else { "" };
-        let repeated = if it.readings.len() > 1 { " as repeated readings" } else { "" };
-        let values = format!("read as {squares}{}{repeated}: {}", quantity.name, describe(&it.readings));
+    let quantities = wanted.iter().filter_map(|column| column.quantity()).zip(&roles.quantities);
+    let read = quantities.flat_map(|(quantity, columns)| {
+        let squares = if columns.are_squares { "squares of the " } else { "" };
+        let repeated = if columns.readings.len() > 1 { " as repeated readings" } else { "" };
+        let values = format!("read as {squares}{}{repeated}: {}", quantity.name, describe(&columns.readings));
         let of_kind = |(column, kind): &(Column, UncertaintyKind)| {
             let column = describe(std::slice::from_ref(column));
             format!("read as {} of the {}: {column}", described(*kind), quantity.name)
         };
-        let values = (!it.readings.is_empty()).then_some(values);
-        values.into_iter().chain(it.uncertainties.as_ref().map(of_kind)).collect::<Vec<_>>()
+        let values = (!columns.readings.is_empty()).then_some(values);
+        values.into_iter().chain(columns.uncertainties.as_ref().map(of_kind)).collect::<Vec<_>>()
     });
     let other = |name: &str, column: &Option<Column>| {
         column.as_ref().map(|column| format!("read as {name}: {}", describe(std::slice::from_ref(column))))

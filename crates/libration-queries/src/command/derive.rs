@@ -214,8 +214,8 @@ impl Derive {
         let name = options.oscillator.as_deref().unwrap_or(PENDULUM);
         let chosen = OscillatorOptions::new(name, &options.set, options.about.as_deref());
         let (oscillator, key) = match chosen.chosen_with_letters(&[])? {
-            Ok(ChosenWithLetters::Numbers(it)) => (NumbersOrLetters::Numbers(it.oscillator), it.key),
-            Ok(ChosenWithLetters::Letters(it)) => (NumbersOrLetters::Letters(it.oscillator), it.key),
+            Ok(ChosenWithLetters::Numbers(named)) => (NumbersOrLetters::Numbers(named.oscillator), named.key),
+            Ok(ChosenWithLetters::Letters(named)) => (NumbersOrLetters::Letters(named.oscillator), named.key),
             Err(error) => return Err(arguments::no_oscillator(error)),
         };
         let is_pendulum = key == Some(PENDULUM) && options.set.is_empty();

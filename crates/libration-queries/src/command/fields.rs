@@ -82,8 +82,8 @@ impl FieldsQuestion {
     /// The results requested; `fit` means all fits.
     fn chosen(&self) -> Result<Vec<Answers>, QueryError> {
         let asked: Vec<&str> = self.command.iter().flat_map(|words| words.split_whitespace()).collect();
-        let is_asked = |it: &Answers| {
-            let words: Vec<&str> = it.command.split(' ').collect();
+        let is_asked = |answers: &Answers| {
+            let words: Vec<&str> = answers.command.split(' ').collect();
             words.starts_with(&asked)
         };
         let mut chosen = all_fields();

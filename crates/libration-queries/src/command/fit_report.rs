@@ -65,8 +65,8 @@ pub(super) fn gravity(gravity: f64, uncertainty: &CombinedUncertainty) -> String
 }
 
 /// The entry of another quantity, with its doubled uncertainty.
-pub(super) fn doubled(name: &str, it: Uncertain, unit: &str) -> String {
-    format!("{name} = {} (k = 2)", number::with_uncertainty(it.value, 2.0 * it.uncertainty, unit))
+pub(super) fn doubled(name: &str, quantity: Uncertain, unit: &str) -> String {
+    format!("{name} = {} (k = 2)", number::with_uncertainty(quantity.value, 2.0 * quantity.uncertainty, unit))
 }
 
 /// Normal gravity as a sentence.

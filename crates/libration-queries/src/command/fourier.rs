@@ -52,8 +52,8 @@ impl Fourier {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let motion = arguments::motion(&self.pendulum.pendulum()?, self.angle, self.velocity)?;
         let harmonics = self.harmonics_of(&motion)?;
-        let (own, made_with) = (harmonics.clone(), self.made_with());
-        let picture = move || spectrum::of_motion(&own).with_parameters(made_with.clone());
+        let (shown, made_with) = (harmonics.clone(), self.made_with());
+        let picture = move || spectrum::of_motion(&shown).with_parameters(made_with.clone());
         let drawn = self.picture.drawn(picture)?;
         match self.form.form() {
             Form::Json => self.write_json(out, &motion, &harmonics)?,

@@ -78,13 +78,13 @@ impl List {
 impl ChosenEntries {
     fn add(&mut self, word: &str) -> Result<(), QueryError> {
         match word {
-            OSCILLATORS => oscillator::catalogue().iter().for_each(|it| self.add_oscillator(it)),
-            SYSTEMS => models::catalogue().for_each(|it| self.add_system(it)),
+            OSCILLATORS => oscillator::catalogue().iter().for_each(|named| self.add_oscillator(named)),
+            SYSTEMS => models::catalogue().for_each(|named| self.add_system(named)),
             key => match (NamedOscillator::by_key(key), NamedSystem::by_key(key)) {
                 (Err(oscillator), Err(system)) => return Err(unknown(&oscillator, &system)),
                 (oscillator, system) => {
-                    oscillator.into_iter().for_each(|it| self.add_oscillator(it));
-                    system.into_iter().for_each(|it| self.add_system(it));
+                    oscillator.into_iter().for_each(|named| self.add_oscillator(named));
+                    system.into_iter().for_each(|named| self.add_system(named));
                 }
             },
         }
@@ -146,23 +146,23 @@ fn of_entry() -> Fields<CatalogueEntry> {
         Of::value("catalogue", "", "oscillators or systems", |entry| {
             entry.text(|_| OSCILLATORS.to_owned(), |_| SYSTEMS.to_owned())
         }),
-        Of::value("key", "", "short name that commands take", |it| {
-            it.text(|entry| entry.key.to_owned(), |entry| entry.key.to_owned())
+        Of::value("key", "", "short name that commands take", |row| {
+            row.text(|entry| entry.key.to_owned(), |entry| entry.key.to_owned())
         }),
-        Of::value("title", "", "usual name", |it| {
-            it.text(|entry| entry.title.to_owned(), |entry| entry.title.to_owned())
+        Of::value("title", "", "usual name", |row| {
+            row.text(|entry| entry.title.to_owned(), |entry| entry.title.to_owned())
         }),
-        Of::value("equations", "", "equations of motion, with ; between them", |it| {
-            it.text(|entry| entry.equation.to_owned(), |entry| entry.equations.to_owned())
+        Of::value("equations", "", "equations of motion, with ; between them", |row| {
+            row.text(|entry| entry.equation.to_owned(), |entry| entry.equations.to_owned())
         }),
         Of::value("parameters", "", "parameters with their default values", |entry| {
             entry.text(oscillators::defaults, systems::defaults)
         }),
-        Of::value("domain", "", "domain, for oscillators that in which they oscillate", |it| {
-            it.text(|entry| entry.domain.to_owned(), |entry| entry.domain.to_owned())
+        Of::value("domain", "", "domain, for oscillators that in which they oscillate", |row| {
+            row.text(|entry| entry.domain.to_owned(), |entry| entry.domain.to_owned())
         }),
-        Of::value("source", "", "source of the equations", |it| {
-            it.text(|entry| entry.source.to_owned(), |entry| entry.source.to_owned())
+        Of::value("source", "", "source of the equations", |row| {
+            row.text(|entry| entry.source.to_owned(), |entry| entry.source.to_owned())
         }),
     ];
     Fields::from(fields.map(Of::only_csv))

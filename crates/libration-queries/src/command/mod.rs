@@ -100,7 +100,7 @@ fn with_query(program: Command, query: Query) -> Command {
     let is_hidden = query.line == HIDDEN && family(&query).is_none();
     let described = |name: &'static str| (query.with_parameters)(Command::new(name)).hide(is_hidden);
     match query.words.split_once(' ') {
-        Some((family, name)) => program.mut_subcommand(family, |it| it.subcommand(described(name))),
+        Some((family, name)) => program.mut_subcommand(family, |family| family.subcommand(described(name))),
         None => program.subcommand(described(query.words)),
     }
 }
@@ -186,7 +186,7 @@ pub(crate) fn write(matches: &ArgMatches, out: &mut dyn Write) -> Result<(), Que
 fn read(matches: &ArgMatches) -> (String, &ArgMatches) {
     let (mut words, mut inner) = (String::new(), matches);
     while let Some((name, below)) =
-        inner.subcommand().filter(|_| FAMILIES.iter().any(|it| it[0] == words) || words.is_empty())
+        inner.subcommand().filter(|_| FAMILIES.iter().any(|family| family[0] == words) || words.is_empty())
     {
         words = format!("{words} {name}").trim_start().to_owned();
         inner = below;
@@ -210,6 +210,6 @@ pub(crate) fn all_fields() -> Vec<Answers> {
 
 /// The fields of JSON of a query, for all of its options.
 pub(crate) fn fields_of(words: &[String]) -> Vec<Description> {
-    let is_asked = |it: &Answers| it.command.split(' ').zip(words).all(|(part, word)| part == word);
+    let is_asked = |answers: &Answers| answers.command.split(' ').zip(words).all(|(part, word)| part == word);
     all_fields().into_iter().filter(is_asked).flat_map(|field| field.json).collect()
 }

@@ -187,20 +187,20 @@ fn of_choice<'a>() -> Fields<Choice<'a>> {
         })
         .short("time / s", 4)
         .or("–"),
-        part("noise", "uncertainty of g by the noise of the angles, as a part of g", "noise", |it| {
-            it.swings.expected.noise
+        part("noise", "uncertainty of g by the noise of the angles, as a part of g", "noise", |choice| {
+            choice.swings.expected.noise
         }),
         part(
             "angle_scale",
             "the same by the scale of the angles; where swings is null, of 10000",
             "scale",
-            |it| it.swings.expected.angle_scale,
+            |choice| choice.swings.expected.angle_scale,
         ),
-        part("length", "the same by the length, with its present uncertainty", "length", |it| {
-            it.swings.expected.length
+        part("length", "the same by the length, with its present uncertainty", "length", |choice| {
+            choice.swings.expected.length
         }),
-        part("clock", "the same by the clock", "clock", |it| it.swings.expected.clock),
-        part("total", "the same by all of them", "u(g)/g", |it| it.swings.expected.total()),
+        part("clock", "the same by the clock", "clock", |choice| choice.swings.expected.clock),
+        part("total", "the same by all of them", "u(g)/g", |choice| choice.swings.expected.total()),
         Of::value("is_best", "", "true if it has the fewest swings", |choice| choice.is_best.into())
             .words("", |choice| if choice.is_best { "best".to_owned() } else { String::new() }),
     ])

@@ -1,7 +1,7 @@
 //! Measured amplitudes: on a logarithmic scale with the law that is fitted and others that the rows do not exclude, and the residuals.
 
 use super::chart::{Axis, Look, Panel, Picture, Point, Series};
-use super::parameters::found;
+use super::parameters::estimate;
 use super::range::{around, around_bars};
 use super::style;
 use libration_lab::fit::amplitudes::{AmplitudeTable, AmplitudesFit, LawOfAmplitudes, Position};
@@ -30,8 +30,8 @@ pub(crate) fn fitted(measured: &MeasuredAmplitudes, fit: &AmplitudesFit) -> Pict
         Position::Swings => "number of swings",
     };
     let x = Axis::linear(label, from, to);
-    let others = fit.laws.iter().enumerate().filter(|(place, other)| {
-        *place != fit.chosen && other.aicc_difference <= DRAWN && other.damping.count() <= law.damping.count()
+    let others = fit.laws.iter().enumerate().filter(|(index, other)| {
+        *index != fit.chosen && other.aicc_difference <= DRAWN && other.damping.count() <= law.damping.count()
     });
     let mut series: Vec<Series> = others.map(|(_, other)| curve(other, style::reference(), scale)).collect();
     series.push(curve(law, style::exact_law(), scale));
@@ -48,7 +48,7 @@ pub(crate) fn fitted(measured: &MeasuredAmplitudes, fit: &AmplitudesFit) -> Pict
     };
     let panels = vec![above, residuals(measured, law, x)];
     let quality = fit.quality.map(|quality| format!("Q = {}", quality.factor));
-    let omega0 = fit.natural_frequency.map(|omega0| found("ω₀", omega0, "rad/s"));
+    let omega0 = fit.natural_frequency.map(|omega0| estimate("ω₀", omega0, "rad/s"));
     let picture = Picture::new(&format!("Amplitudes, {} damping fitted", law.damping), panels);
     picture.with_parameters(quality.into_iter().chain(omega0))
 }

@@ -105,7 +105,7 @@ impl SampledCoordinates<'_> {
     /// A coordinate between two samples, on a straight line.
     pub fn value(&self, coordinate: usize, time: f64) -> f64 {
         let values = &self.values[coordinate];
-        let next = self.times.partition_point(|known| known.abs() < time.abs());
+        let next = self.times.partition_point(|sample| sample.abs() < time.abs());
         let (Some(first), Some(second)) = (next.checked_sub(1), self.times.get(next)) else {
             return values.get(next).or(values.last()).copied().unwrap_or(0.0);
         };
@@ -156,8 +156,8 @@ fn in_plane(bodies: &Bodies, times: &[f64], values: &[Vec<f64>]) -> Mechanism {
     });
     let frames: Vec<_> = states.collect();
     let body = |number: usize| {
-        let places = |place: fn(&libration::systems::Body) -> [f64; 2]| {
-            frames.iter().map(|bodies| place(&bodies[number]).into()).collect()
+        let places = |position: fn(&libration::systems::Body) -> [f64; 2]| {
+            frames.iter().map(|bodies| position(&bodies[number]).into()).collect()
         };
         Hanging { places: places(|body| body.place), held: places(|body| body.pivot) }
     };

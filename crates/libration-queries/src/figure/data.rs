@@ -76,8 +76,8 @@ fn series(series: &Series) -> Record {
         if series.points.iter().all(|point| value(point).is_none()) {
             return record;
         }
-        let known = series.points.iter().map(|point| value(point).map_or(Value::Null, json::number));
-        record.with(name, json::list(known))
+        let numbers = series.points.iter().map(|point| value(point).map_or(Value::Null, json::number));
+        record.with(name, json::list(numbers))
     })
 }
 

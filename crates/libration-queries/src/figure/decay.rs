@@ -51,8 +51,8 @@ fn amplitudes(decay: &Decay, slow: Option<&SlowDecay>, turns: &[TurningPoint], t
         curve("law of small amplitudes", style::curve(1), decay.envelope(EnvelopeLaw::SmallAmplitude)),
     ];
     let slow = slow.map(|slow| {
-        let places = slow.at_times(times).into_iter().filter(|place| place.amplitude.is_finite());
-        let degrees = places.map(|place| (place.time, place.amplitude.to_degrees()));
+        let places = slow.at_times(times).into_iter().filter(|moment| moment.amplitude.is_finite());
+        let degrees = places.map(|moment| (moment.time, moment.amplitude.to_degrees()));
         Series::line("slow flow", style::curve(3), degrees)
     });
     let turns = markers("turning points", turns.iter().map(point).collect());

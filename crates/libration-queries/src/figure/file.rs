@@ -65,8 +65,8 @@ pub(crate) fn finished(
 ) -> Result<Vec<String>, QueryError> {
     let sentence = path.map(|path| write(path, picture, layout)).transpose()?;
     if is_drawn(None) {
-        let own = picture.clone();
-        data::pass(layout, move || own.clone());
+        let passed = picture.clone();
+        data::pass(layout, move || passed.clone());
     }
     Ok(sentence.into_iter().collect())
 }
@@ -97,5 +97,5 @@ fn write(path: &Path, picture: &Picture, layout: &Layout) -> Result<String, Quer
 }
 
 fn is(path: &Path, ending: &str) -> bool {
-    path.extension().is_some_and(|found| found.eq_ignore_ascii_case(ending))
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(ending))
 }

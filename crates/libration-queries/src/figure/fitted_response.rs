@@ -1,7 +1,7 @@
 //! A measured response: amplitudes, and phases if measured, with the fitted curve, whose unstable part is dashed.
 
 use super::chart::{Axis, Panel, Picture, Point, Series, Units};
-use super::parameters::found;
+use super::parameters::estimate;
 use super::range::around_bars;
 use super::response::look;
 use super::style;
@@ -51,11 +51,11 @@ pub(crate) fn fitted(measured: &MeasuredResponse, fit: &ResponseFit, curve: &Fit
     };
     let below = measured.phases.as_ref().map(|phases| of_phases(measured, phases, curve, x));
     let unit = format!("{}/s²", measured.unit);
-    let cubic = fit.cubic.map(|cubic| found("κ", cubic, &format!("1/(s² {}²)", measured.unit)));
+    let cubic = fit.cubic.map(|cubic| estimate("κ", cubic, &format!("1/(s² {}²)", measured.unit)));
     let parameters = [
-        found("ω₀", fit.natural_frequency, "rad/s"),
-        found("c", fit.damping, "1/s"),
-        found("A", fit.drive, &unit),
+        estimate("ω₀", fit.natural_frequency, "rad/s"),
+        estimate("c", fit.damping, "1/s"),
+        estimate("A", fit.drive, &unit),
     ];
     let panels = [above].into_iter().chain(below).collect();
     Picture::new(&format!("Response, {} fitted", fit.model), panels)
@@ -71,8 +71,10 @@ fn of_phases(measured: &MeasuredResponse, phases: &[f64], curve: &FittedCurve, x
         360.0 * (turns - turns.floor()) - 90.0
     };
     let degrees: Vec<f64> = phases.iter().map(lag).collect();
-    let uncertainties: Option<Vec<f64>> =
-        measured.phase_uncertainties.as_ref().map(|column| column.iter().map(|it| it.to_degrees()).collect());
+    let uncertainties: Option<Vec<f64>> = measured
+        .phase_uncertainties
+        .as_ref()
+        .map(|column| column.iter().map(|uncertainty| uncertainty.to_degrees()).collect());
     let data = points(measured, &degrees, uncertainties.as_deref(), 1.0);
     let (low, high) = around_bars(&data, &[0.0, 180.0]);
     let y = Axis::linear("lag / degrees", low, high).in_units(Units::Degrees);
@@ -104,18 +106,18 @@ fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
 
 /// The stretches of the curve that are stable or not, each begun where the one before ends; with names in the legend once.
 fn stretches(curve: &FittedCurve, height: impl Fn(&FittedCurvePoint) -> f64, named: bool) -> Vec<Series> {
-    let mut found: Vec<(bool, Vec<(f64, f64)>)> = vec![];
+    let mut stretches: Vec<(bool, Vec<(f64, f64)>)> = vec![];
     for branch in &curve.branches {
         let mut last: Option<bool> = None;
         for point in branch {
-            let place = (point.frequency, height(point));
-            if let (Some(stable), Some((_, points))) = (last, found.last_mut())
+            let position = (point.frequency, height(point));
+            if let (Some(stable), Some((_, points))) = (last, stretches.last_mut())
                 && stable == point.stability.may_last()
             {
-                points.push(place);
+                points.push(position);
             } else {
-                let joint = last.and_then(|_| found.last()?.1.last().copied());
-                found.push((point.stability.may_last(), joint.into_iter().chain([place]).collect()));
+                let joint = last.and_then(|_| stretches.last()?.1.last().copied());
+                stretches.push((point.stability.may_last(), joint.into_iter().chain([position]).collect()));
             }
             last = Some(point.stability.may_last());
         }
@@ -126,5 +128,5 @@ fn stretches(curve: &FittedCurve, height: impl Fn(&FittedCurvePoint) -> f64, nam
         let name = if stable { "stable" } else { "unstable" };
         if first { name } else { "" }
     };
-    found.into_iter().map(|(stable, points)| Series::line(label(stable), look(stable), points)).collect()
+    stretches.into_iter().map(|(stable, points)| Series::line(label(stable), look(stable), points)).collect()
 }

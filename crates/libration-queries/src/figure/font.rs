@@ -27,8 +27,8 @@ impl Font {
                 let (glyph, advance) = self.glyph(letter);
                 let mut pen = Pen(PathBuilder::new());
                 self.0.outline_glyph(glyph, &mut pen);
-                let place = Transform::from_row(size, 0.0, 0.0, -size, at, -rise);
-                if let Some(path) = pen.0.finish().and_then(|path| path.transform(place)) {
+                let transform = Transform::from_row(size, 0.0, 0.0, -size, at, -rise);
+                if let Some(path) = pen.0.finish().and_then(|path| path.transform(transform)) {
                     all.push_path(&path);
                 }
                 at += scale * advance;

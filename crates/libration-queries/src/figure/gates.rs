@@ -1,7 +1,7 @@
 //! Periods by a photogate against time, and against the amplitude where speeds tell it.
 
 use super::chart::{Axis, Look, Panel, Picture, Point, Series, Units};
-use super::parameters::found;
+use super::parameters::estimate;
 use super::range::{around, around_bars};
 use super::style;
 use libration_lab::fit::Law;
@@ -22,7 +22,7 @@ pub(crate) fn periods(fit: &GatesFit) -> Picture {
         "Periods by a photogate",
         panels.into_iter().map(|panel| Panel { share, ..panel }).collect(),
     );
-    picture.with_parameters(fit.t0.map(|t0| found("T₀", t0, "s")))
+    picture.with_parameters(fit.t0.map(|t0| estimate("T₀", t0, "s")))
 }
 
 fn against_time(fit: &GatesFit) -> Panel {

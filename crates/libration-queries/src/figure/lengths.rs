@@ -1,7 +1,7 @@
 //! Measured periods against length: T² with the line that is fitted, and the residuals.
 
 use super::chart::{Axis, Panel, Picture, Point, Series};
-use super::parameters::found;
+use super::parameters::estimate;
 use super::range::{around, around_bars};
 use super::style;
 use libration_lab::fit::{LengthFit, LengthTable, Uncertain};
@@ -38,9 +38,9 @@ pub(crate) fn fitted(measured: &MeasuredLengths, fit: &LengthFit, radius: Option
         series: vec![line(fit, radius, from, to), markers("measured", data)],
         share: 0.62,
     };
-    let offset = fit.offset.map(|offset| found("δ", offset, "m"));
+    let offset = fit.offset.map(|offset| estimate("δ", offset, "m"));
     let picture = Picture::new("Period against length", vec![above, below(x, residuals)]);
-    picture.with_parameters([found("g", fit.g, "m/s²")].into_iter().chain(offset))
+    picture.with_parameters([estimate("g", fit.g, "m/s²")].into_iter().chain(offset))
 }
 
 /// The measurements on a bar: T²h against h², on the line of slope 4π²/g through k².
@@ -80,10 +80,10 @@ fn bar(measured: &MeasuredLengths, fit: &LengthFit) -> Picture {
     };
     let k = fit.gyration.map(|gyration| {
         let k = gyration.value.sqrt();
-        found("k", Uncertain { value: k, uncertainty: 0.5 * gyration.uncertainty / k }, "m")
+        estimate("k", Uncertain { value: k, uncertainty: 0.5 * gyration.uncertainty / k }, "m")
     });
     let picture = Picture::new("Period of a bar", vec![above, below(x, residuals)]);
-    picture.with_parameters([found("g", fit.g, "m/s²")].into_iter().chain(k))
+    picture.with_parameters([estimate("g", fit.g, "m/s²")].into_iter().chain(k))
 }
 
 /// The panel of residuals.
@@ -102,7 +102,7 @@ fn below(x: Axis, residuals: Vec<Point>) -> Panel {
 fn line(fit: &LengthFit, radius: Option<f64>, from: f64, to: f64) -> Series {
     let offset = fit.offset.map_or(0.0, |offset| offset.value);
     let gyration =
-        fit.gyration.map_or(radius.map_or(0.0, |radius| 0.4 * radius * radius), |found| found.value);
+        fit.gyration.map_or(radius.map_or(0.0, |radius| 0.4 * radius * radius), |gyration| gyration.value);
     let turn = std::f64::consts::TAU;
     let points = (0..=SAMPLES).filter_map(|step| {
         let length = from + (to - from) * f64::from(step) / f64::from(SAMPLES);

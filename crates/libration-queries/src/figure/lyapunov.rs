@@ -26,5 +26,5 @@ pub(crate) fn convergence(model: &Model, start: &[f64], exponent: &LyapunovExpon
     let value = Quantity { value: exponent.exponent, uncertainty: Some(exponent.uncertainty) };
     let made_with = [of_model(model), of_start(model, start, AngleUnit::Degrees)].concat();
     let picture = Picture::new(&title, vec![Panel { x, y, series: vec![zero, line], share: 1.0 }]);
-    picture.with_parameters(made_with.into_iter().chain([parameters::found("λ", value, "1/s")]))
+    picture.with_parameters(made_with.into_iter().chain([parameters::estimate("λ", value, "1/s")]))
 }

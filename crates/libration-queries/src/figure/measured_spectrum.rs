@@ -21,32 +21,34 @@ pub(crate) fn unit_scale(observable: Observable) -> (&'static str, f64) {
 }
 
 /// A panel for each run.
-pub(crate) fn measured_spectra(found: &[MeasuredSpectrum]) -> Picture {
-    let last = found.len().saturating_sub(1);
-    let panels = found.iter().enumerate().map(|(number, it)| panel(it, number == last, number == 0));
+pub(crate) fn measured_spectra(spectra: &[MeasuredSpectrum]) -> Picture {
+    let last = spectra.len().saturating_sub(1);
+    let panels =
+        spectra.iter().enumerate().map(|(number, spectrum)| panel(spectrum, number == last, number == 0));
     Picture::new("Harmonics of measured swings", panels.collect())
 }
 
-fn panel(found: &MeasuredSpectrum, is_last: bool, is_first: bool) -> Panel {
-    let Spectrum { points, harmonics, observable, frequency, .. } = &found.spectrum;
+fn panel(run: &MeasuredSpectrum, is_last: bool, is_first: bool) -> Panel {
+    let Spectrum { points, harmonics, observable, frequency, .. } = &run.spectrum;
     let (_, scale) = unit_scale(*observable);
-    let place = |harmonic: &Harmonic| frequency * crate::output::number::count(harmonic.n);
+    let at = |harmonic: &Harmonic| frequency * crate::output::number::count(harmonic.n);
     let line = points.iter().map(|point| (point.frequency, scale * point.amplitude));
     let line: Vec<(f64, f64)> = line.filter(|(_, y)| *y > 0.0 && y.is_finite()).collect();
     let shown = || harmonics.iter().filter(|harmonic| harmonic.n > 0);
     let theory = shown().filter(|harmonic| harmonic.theory != 0.0);
-    let theory: Vec<(f64, f64)> = theory.map(|theory| (place(theory), scale * theory.theory.abs())).collect();
+    let theory: Vec<(f64, f64)> = theory.map(|theory| (at(theory), scale * theory.theory.abs())).collect();
     let point = |harmonic: &Harmonic| {
         let amplitude = harmonic.amplitude();
         let y_uncertainty = Some(scale * amplitude.uncertainty);
-        Point { y_uncertainty, ..Point::new(place(harmonic), scale * amplitude.value) }
+        Point { y_uncertainty, ..Point::new(at(harmonic), scale * amplitude.value) }
     };
     // What is lost in noise has no place on a logarithmic axis but its limit.
-    let (measured, lost): (Vec<&Harmonic>, Vec<&Harmonic>) = shown().partition(|it| it.lag().is_some());
+    let (measured, lost): (Vec<&Harmonic>, Vec<&Harmonic>) =
+        shown().partition(|harmonic| harmonic.lag().is_some());
     let measured: Vec<Point> = measured.into_iter().map(point).collect();
     let limit = |harmonic: &Harmonic| {
         let amplitude = harmonic.amplitude();
-        (place(harmonic), scale * (amplitude.value + 2.0 * amplitude.uncertainty))
+        (at(harmonic), scale * (amplitude.value + 2.0 * amplitude.uncertainty))
     };
     let limits: Vec<(f64, f64)> = lost.into_iter().map(limit).collect();
     let of_points = measured.iter().map(|point| point.y);
@@ -66,8 +68,7 @@ fn panel(found: &MeasuredSpectrum, is_last: bool, is_first: bool) -> Panel {
     let named = |name: &str| if is_first { name.to_owned() } else { String::new() };
     let kept = theory.into_iter().filter(|point| point.1 >= y.from);
     let of_pendulum = Series::line(&named("pendulum"), style::markers(1), kept);
-    let spectrum =
-        if found.name.is_empty() { named("spectrum") } else { format!("spectrum, {}", found.name) };
+    let spectrum = if run.name.is_empty() { named("spectrum") } else { format!("spectrum, {}", run.name) };
     let limits_name = if limits.is_empty() { String::new() } else { named("upper limit (2σ)") };
     let series = vec![
         Series::line(&spectrum, style::thin(0), line),

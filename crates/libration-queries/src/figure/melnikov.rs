@@ -62,7 +62,7 @@ fn resonances(of: &Perturbed<'_>) -> Option<Panel> {
     let speed = |motion: &Motion| (2.0 * motion.specific_energy()).sqrt();
     let sign = |resonance: &DriveResonance| if resonance.direction < 0.0 { -1.0 } else { 1.0 };
     let top = 2.0 * of.omega0;
-    let place = |resonance: &DriveResonance| {
+    let marker = |resonance: &DriveResonance| {
         let speed = speed(&resonance.motion);
         // dE = ω·dJ and E = v²/2.
         let half = resonance.half_width * resonance.motion.frequency() / speed;
@@ -71,7 +71,7 @@ fn resonances(of: &Perturbed<'_>) -> Option<Panel> {
             ..Point::new(sign(resonance) * speed, resonance.motion.frequency())
         }
     };
-    let points: Vec<Point> = of.resonances.iter().map(place).collect();
+    let points: Vec<Point> = of.resonances.iter().map(marker).collect();
     let half = |point: &Point| point.x_uncertainty.unwrap_or(0.0);
     let last = points.iter().map(|point| point.x + half(point)).fold(1.25 * top, f64::max);
     let first = points.iter().map(|point| point.x - half(point) - 0.1 * top).fold(0.0, f64::min);

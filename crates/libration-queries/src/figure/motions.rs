@@ -23,18 +23,18 @@ impl Motions<'_> {
     /// A panel for each coordinate and each formula, with a curve for each motion.
     pub(crate) fn in_time(&self) -> Picture {
         let coordinates = self.model.coordinates().iter().enumerate();
-        let coordinates = coordinates.map(|(place, coordinate)| {
+        let coordinates = coordinates.map(|(index, coordinate)| {
             let unit = coordinate.unit.as_str();
             let panel =
-                self.panel(label(&symbol(&coordinate.name), unit), scale(unit), |trace| &trace.values[place]);
-            let marks = self.marks(place, scale(unit));
+                self.panel(label(&symbol(&coordinate.name), unit), scale(unit), |trace| &trace.values[index]);
+            let marks = self.marks(index, scale(unit));
             let y = if unit == "rad" { panel.y.in_units(Units::Degrees) } else { panel.y };
             Panel { y, series: [panel.series, marks].concat(), ..panel }
         });
         let names = self.traces.first().map_or(&[][..], |(_, trace)| trace.column_names());
         let formulas = names.iter().enumerate();
         let formulas =
-            formulas.map(|(place, name)| self.panel(formula(name), 1.0, |trace| &trace.columns[place]));
+            formulas.map(|(index, name)| self.panel(formula(name), 1.0, |trace| &trace.columns[index]));
         let mut panels: Vec<Panel> = coordinates.chain(formulas).collect();
         let last = panels.len().saturating_sub(1);
         panels[..last].iter_mut().for_each(|panel| panel.x.label.clear());
@@ -46,7 +46,7 @@ impl Motions<'_> {
 
     /// One state component against another.
     pub(crate) fn in_plane(&self, [across, up]: &[StateAxis; 2]) -> Picture {
-        let values = |trace: &Trace<'_>, shown: &StateAxis| trace.values[shown.place].clone();
+        let values = |trace: &Trace<'_>, shown: &StateAxis| trace.values[shown.component].clone();
         let curve = |(number, (label, trace)): (usize, &(String, &Trace<'_>))| {
             let points = values(trace, across).into_iter().zip(values(trace, up));
             Series::line(label, style::curve(number), points)
@@ -73,9 +73,9 @@ impl Motions<'_> {
     }
 
     /// The events on the curves of a coordinate.
-    fn marks(&self, place: usize, scale: f64) -> Vec<Series> {
+    fn marks(&self, coordinate: usize, scale: f64) -> Vec<Series> {
         let marks = self.traces.iter().enumerate().map(|(number, (_, trace))| {
-            let points = trace.marks[place].iter().map(|(time, value)| (*time, scale * value));
+            let points = trace.marks[coordinate].iter().map(|(time, value)| (*time, scale * value));
             Series::line("", style::marks(number), points)
         });
         marks.collect()

@@ -45,7 +45,7 @@ pub(crate) fn symbol(name: &str) -> String {
         return symbol(coordinate) + "′";
     }
     let word = name.trim_end_matches(|c: char| c.is_ascii_digit());
-    let letter = LETTERS.iter().find(|(known, _)| *known == word).map_or(word, |(_, letter)| letter);
+    let letter = LETTERS.iter().find(|(spelling, _)| *spelling == word).map_or(word, |(_, letter)| letter);
     match name[word.len()..].parse() {
         Ok(number) => format!("{letter}{}", crate::output::series::subscript(number)),
         Err(_) => letter.to_owned(),

@@ -12,29 +12,29 @@ use libration::systems::Model;
 const DASHES: &[f64] = &[5.0, 4.0];
 
 /// Frequency against amplitude, angles in degrees.
-pub(crate) fn backbone(model: &Model, mode: usize, coordinate: usize, found: &NonlinearMode) -> Picture {
+pub(crate) fn backbone(model: &Model, mode: usize, coordinate: usize, family: &NonlinearMode) -> Picture {
     let coordinate = &model.coordinates()[coordinate];
     let unit = if coordinate.is_angle() { 1_f64.to_degrees() } else { 1.0 };
-    let place = |point: &ModePoint| (unit * point.amplitude, point.orbit.frequency());
+    let position = |point: &ModePoint| (unit * point.amplitude, point.orbit.frequency());
     let mut series = vec![];
     let small =
-        found.points.iter().filter_map(|point| Some((unit * point.amplitude, point.series_frequency?)));
+        family.points.iter().filter_map(|point| Some((unit * point.amplitude, point.series_frequency?)));
     let small: Vec<(f64, f64)> = small.collect();
     if !small.is_empty() {
         series.push(Series::line("ω + κa²", style::reference(), small));
     }
     let mut named = [false; 2];
-    for stretch in found.points.chunk_by(|a, b| a.is_stable() == b.is_stable()) {
+    for stretch in family.points.chunk_by(|a, b| a.is_stable() == b.is_stable()) {
         let stable = stretch[0].is_stable();
         let first = !std::mem::replace(&mut named[usize::from(stable)], true);
         let label = if stable { "stable" } else { "unstable" };
         let label = if first { label } else { "" };
-        series.push(Series::line(label, look(stable), stretch.iter().map(place)));
-        series.push(Series::line("", style::markers(usize::from(!stable)), stretch.iter().map(place)));
+        series.push(Series::line(label, look(stable), stretch.iter().map(position)));
+        series.push(Series::line("", style::markers(usize::from(!stable)), stretch.iter().map(position)));
     }
     // The series leaves the frame where it is far off.
-    let (low, high) = around(found.points.iter().map(|point| point.orbit.frequency()));
-    let last = found.points.last().map_or(1.0, |point| unit * point.amplitude);
+    let (low, high) = around(family.points.iter().map(|point| point.orbit.frequency()));
+    let last = family.points.last().map_or(1.0, |point| unit * point.amplitude);
     let degrees = if coordinate.is_angle() { " / degrees" } else { "" };
     let x = Axis::linear(&format!("amplitude of {}{degrees}", symbol(&coordinate.name)), 0.0, 1.05 * last);
     let x = if coordinate.is_angle() { x.in_units(Units::Degrees) } else { x };

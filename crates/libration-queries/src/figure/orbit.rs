@@ -25,17 +25,17 @@ pub(crate) fn orbit(model: &Model, orbit: &Orbit) -> Picture {
     let curve = |number: usize, label: String, points: Vec<(f64, f64)>| {
         Series::line(&label, style::curve(number), points)
     };
-    let in_time = |place: usize| {
+    let in_time = |index: usize| {
         curve(
-            place,
-            symbol(&names[place]),
-            states.iter().map(|(time, state)| (*time, state[place])).collect(),
+            index,
+            symbol(&names[index]),
+            states.iter().map(|(time, state)| (*time, state[index])).collect(),
         )
     };
-    let in_plane = |place: usize| {
-        let up = layout.velocity(place).unwrap_or(place);
-        let across = if up == place { 0 } else { place };
-        curve(place, String::new(), states.iter().map(|(_, state)| (state[across], state[up])).collect())
+    let in_plane = |index: usize| {
+        let up = layout.velocity(index).unwrap_or(index);
+        let across = if up == index { 0 } else { index };
+        curve(index, String::new(), states.iter().map(|(_, state)| (state[across], state[up])).collect())
     };
     let (first, second) =
         (places.clone().map(in_time).collect::<Vec<_>>(), places.map(in_plane).collect::<Vec<_>>());
@@ -74,7 +74,7 @@ fn states(orbit: &Orbit) -> Vec<(f64, Vec<f64>)> {
             break;
         }
         states =
-            states.into_iter().zip(middles).flat_map(|(own, next)| [Some(own), next]).flatten().collect();
+            states.into_iter().zip(middles).flat_map(|(state, next)| [Some(state), next]).flatten().collect();
     }
     states
 }

@@ -38,7 +38,7 @@ pub fn said(name: &str, value: f64, unit: &str) -> String {
 }
 
 /// A result with its uncertainty, if it is known.
-pub(crate) fn found(name: &str, value: impl Into<Quantity>, unit: &str) -> String {
+pub(crate) fn estimate(name: &str, value: impl Into<Quantity>, unit: &str) -> String {
     let value: Quantity = value.into();
     match value.uncertainty {
         Some(uncertainty) => {
@@ -57,7 +57,8 @@ pub(crate) fn of_model(model: &Model) -> Vec<String> {
         model.key().and_then(|key| NamedSystem::by_key(key).ok()).map_or(&[][..], |named| named.parameters);
     let parameter = |(name, _): &(String, _)| {
         let value = model.value_of(name).filter(|value| value.abs() > 0.0)?;
-        let unit = units.iter().find(|known| known.name == name).map_or("", |known| known.unit);
+        let unit =
+            units.iter().find(|parameter| parameter.name == name).map_or("", |parameter| parameter.unit);
         Some(said(name, value, if unit == "1" { "" } else { unit }))
     };
     model.values().iter().filter_map(parameter).collect()
@@ -89,11 +90,11 @@ pub(crate) fn of_start(model: &Model, state: &[f64], angles: AngleUnit) -> Vec<S
 pub(crate) fn of_damping(damping: &Damping) -> Vec<String> {
     let term = |term: &PowerLawTerm| {
         let power = [0_usize, 1, 2, 3].into_iter().zip([0.0, 1.0, 2.0, 3.0]);
-        let known = power.into_iter().find(|(_, power)| (power - term.exponent).abs() <= 0.0);
-        let name = known
+        let exponent = power.into_iter().find(|(_, power)| (power - term.exponent).abs() <= 0.0);
+        let name = exponent
             .map_or_else(|| format!("c({})", short(term.exponent, 3)), |(n, _)| format!("c{}", subscript(n)));
         let unit = ["rad/s²", "1/s", "1/rad", "s/rad²"];
-        said(&name, term.coefficient, known.and_then(|(n, _)| unit.get(n).copied()).unwrap_or(""))
+        said(&name, term.coefficient, exponent.and_then(|(n, _)| unit.get(n).copied()).unwrap_or(""))
     };
     damping.terms().iter().map(term).collect()
 }

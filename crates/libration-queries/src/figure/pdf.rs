@@ -85,7 +85,7 @@ impl<'a> PdfPage<'a> {
             Form::Dots { places, radius } => {
                 self.content.set_line_width(hundredths(2.0 * radius));
                 self.content.set_line_cap(LineCapStyle::RoundCap);
-                places.iter().for_each(|place| self.outline(&[*place, *place]));
+                places.iter().for_each(|centre| self.outline(&[*centre, *centre]));
                 self.content.stroke();
             }
             Form::Text(text) => self.write(text),

@@ -1,7 +1,7 @@
 //! Measured periods against amplitude, with the exact law, the constant period and the residuals.
 
 use super::chart::{Axis, Panel, Picture, Point, Series, Units};
-use super::parameters::found;
+use super::parameters::estimate;
 use super::range::{around, around_bars};
 use super::style;
 use libration_lab::fit::{Law, PeriodFit};
@@ -41,7 +41,7 @@ pub(crate) fn fitted(measurements: &[Measurement], fit: &PeriodFit) -> Picture {
         share: 0.38,
     };
     let picture = Picture::new("Period against amplitude", vec![above, below]);
-    picture.with_parameters([found("T₀", fit.exact.t0, "s")])
+    picture.with_parameters([estimate("T₀", fit.exact.t0, "s")])
 }
 
 /// The two laws, drawn below the measurements.

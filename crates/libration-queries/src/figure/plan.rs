@@ -9,17 +9,18 @@ type Part = fn(&ExpectedUncertainty) -> f64;
 
 const PARTS: [(&str, Part); 5] = [
     ("total", ExpectedUncertainty::total),
-    ("noise", |it| it.noise),
-    ("angle scale", |it| it.angle_scale),
-    ("length", |it| it.length),
-    ("clock", |it| it.clock),
+    ("noise", |expected| expected.noise),
+    ("angle scale", |expected| expected.angle_scale),
+    ("length", |expected| expected.length),
+    ("clock", |expected| expected.clock),
 ];
 
 /// A curve for each part that is not zero, and the wanted uncertainty.
 pub(crate) fn plan(plan: &Plan) -> Picture {
-    let place = |swings: &PlannedSwings, part: Part| (swings.amplitude.to_degrees(), part(&swings.expected));
+    let position =
+        |swings: &PlannedSwings, part: Part| (swings.amplitude.to_degrees(), part(&swings.expected));
     let of_part = |part: Part| {
-        let points = plan.choices.iter().map(|choice| place(choice, part));
+        let points = plan.choices.iter().map(|choice| position(choice, part));
         points.filter(|(_, y)| *y > 0.0 && y.is_finite()).collect::<Vec<_>>()
     };
     let curves = PARTS.iter().enumerate().map(|(number, (label, part))| (number, *label, of_part(*part)));

@@ -79,11 +79,11 @@ impl Canvas {
         };
         let (size, (x, y)) = (single(text.size), text.at);
         let turn = if text.is_turned { -90.0 } else { 0.0 };
-        let place = Transform::from_translate(-before, 0.0)
+        let transform = Transform::from_translate(-before, 0.0)
             .post_scale(size, size)
             .post_rotate(turn)
             .post_translate(single(x), single(y));
-        if let Some(outline) = outline.and_then(|outline| outline.transform(place)) {
+        if let Some(outline) = outline.and_then(|outline| outline.transform(transform)) {
             self.fill(&outline, paint);
         }
     }

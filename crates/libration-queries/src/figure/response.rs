@@ -43,7 +43,7 @@ impl ResponseCurve<'_> {
     }
 
     /// Parameter and amplitude, angles in degrees.
-    fn place(&self, point: &BranchPoint) -> (f64, f64) {
+    fn position(&self, point: &BranchPoint) -> (f64, f64) {
         (point.parameter, self.shown(point.amplitude(self.coordinate, self.is_angle())))
     }
 
@@ -54,10 +54,10 @@ impl ResponseCurve<'_> {
     /// The points of a sweep; oscillations are shown with oscillations, rotations with rotations.
     fn swept(&self, sweep: &Sweep) -> Vec<(f64, f64)> {
         let alike = sweep.points.iter().filter(|point| point.rotation.is_some() == self.rotates());
-        let place = |point: &SweepPoint| {
+        let point = |point: &SweepPoint| {
             Some((point.parameter, self.shown(point.amplitude(self.coordinate, self.is_angle())?)))
         };
-        alike.filter_map(place).collect()
+        alike.filter_map(point).collect()
     }
 }
 
@@ -81,7 +81,7 @@ pub(crate) fn response(curve: &ResponseCurve<'_>) -> Picture {
         let special = curve.branches.iter().flat_map(|branch| &branch.special);
         let points: Vec<(f64, f64)> = special
             .filter(|special| special.kind == *wanted)
-            .map(|special| curve.place(&special.point))
+            .map(|special| curve.position(&special.point))
             .collect();
         if !points.is_empty() {
             series.push(Series::line(&wanted.to_string(), style::markers(number + 1), points));
@@ -108,24 +108,28 @@ pub(crate) fn response(curve: &ResponseCurve<'_>) -> Picture {
 
 /// The stretches of a branch that are stable or not; they end at special points, and follow the branch between its points.
 fn stretches(curve: &ResponseCurve<'_>, branch: &Branch) -> Vec<(bool, Vec<(f64, f64)>)> {
-    let mut found: Vec<(bool, Vec<(f64, f64)>)> = vec![];
+    let mut stretches: Vec<(bool, Vec<(f64, f64)>)> = vec![];
     for (number, point) in branch.points.iter().enumerate() {
-        let special: Vec<(f64, f64)> =
-            branch.special.iter().filter(|it| it.before == number).map(|it| curve.place(&it.point)).collect();
-        match found.last_mut() {
+        let special: Vec<(f64, f64)> = branch
+            .special
+            .iter()
+            .filter(|special| special.before == number)
+            .map(|special| curve.position(&special.point))
+            .collect();
+        match stretches.last_mut() {
             Some((stable, points)) if *stable == point.is_stable() => points.extend(special),
             Some((_, points)) => {
-                let joint = special.first().copied().unwrap_or_else(|| curve.place(point));
+                let joint = special.first().copied().unwrap_or_else(|| curve.position(point));
                 points.push(joint);
-                found.push((point.is_stable(), if special.is_empty() { vec![joint] } else { special }));
+                stretches.push((point.is_stable(), if special.is_empty() { vec![joint] } else { special }));
             }
-            None => found.push((point.is_stable(), special)),
+            None => stretches.push((point.is_stable(), special)),
         }
-        if let Some((_, points)) = found.last_mut() {
-            points.push(curve.place(point));
+        if let Some((_, points)) = stretches.last_mut() {
+            points.push(curve.position(point));
         }
     }
-    found
+    stretches
 }
 
 pub(super) fn look(stable: bool) -> Look {

@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 /// One state component: the label of its axis, and `true` if it is an angle, folded into a turn.
 #[derive(Clone, Debug)]
 pub(crate) struct StateAxis {
-    pub(crate) place: usize,
+    pub(crate) component: usize,
     label: String,
     pub(crate) is_angle: bool,
 }
@@ -77,14 +77,14 @@ pub(crate) fn bifurcation(
 
 impl StateAxis {
     /// The state component with this index.
-    pub(crate) fn new(model: &Model, place: usize) -> Self {
-        let label = axis_label(&model.state_names()[place], &model.state_units()[place]);
-        let is_angle = angles(model.equation()).get(place) == Some(&true);
-        Self { place, label, is_angle }
+    pub(crate) fn new(model: &Model, component: usize) -> Self {
+        let label = axis_label(&model.state_names()[component], &model.state_units()[component]);
+        let is_angle = angles(model.equation()).get(component) == Some(&true);
+        Self { component, label, is_angle }
     }
 
     fn value(&self, state: &[f64]) -> f64 {
-        let value = state[self.place];
+        let value = state[self.component];
         if self.is_angle { folded(value) } else { value }
     }
 

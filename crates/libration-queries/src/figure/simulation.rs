@@ -42,8 +42,8 @@ impl<'a> Trace<'a> {
         Self { observables, ends, end, next: 0, times: vec![], values, columns, marks }
     }
 
-    fn time(&self, place: u32) -> f64 {
-        self.end * f64::from(place) / f64::from(POINTS)
+    fn time(&self, sample: u32) -> f64 {
+        self.end * f64::from(sample) / f64::from(POINTS)
     }
 
     /// Takes the state of a sample of the earlier result.
@@ -124,9 +124,9 @@ impl<'a> Trace<'a> {
 
     /// One state component against another.
     pub(crate) fn plane(&self, model: &Model, start: &[f64], [across, up]: &[StateAxis; 2]) -> Picture {
-        let values = |shown: &StateAxis| self.values[shown.place].iter().copied();
+        let values = |shown: &StateAxis| self.values[shown.component].iter().copied();
         let path = Series::line("", style::curve(0), values(across).zip(values(up)));
-        let begin = start.get(across.place).copied().zip(start.get(up.place).copied());
+        let begin = start.get(across.component).copied().zip(start.get(up.component).copied());
         let begin = Series::line("start", style::turning_points(1), begin);
         let title = format!("Motion of {}: {} against {}", subject(model), up.name(), across.name());
         let panel = Panel {

@@ -55,17 +55,17 @@ fn pieces(curve: &SpecialCurve) -> Vec<CurvePiece> {
     let mut pieces: Vec<CurvePiece> = vec![];
     for run in curve.points.chunk_by(|a, b| role(a) == role(b)) {
         if let Some(before) = pieces.last_mut() {
-            before.places.push(place(&run[0]));
+            before.places.push(position(&run[0]));
         }
         pieces.push(CurvePiece {
             meaning: (curve.kind, role(&run[0])),
-            places: run.iter().map(place).collect(),
+            places: run.iter().map(position).collect(),
         });
     }
     pieces
 }
 
-const fn place(point: &CurvePoint) -> (f64, f64) {
+const fn position(point: &CurvePoint) -> (f64, f64) {
     (point.point.parameter, point.second)
 }
 
@@ -82,7 +82,8 @@ pub(crate) fn stability(map: &Chart<'_>) -> Picture {
             series.push(Series::line(label, style::curve(number), piece.places.iter().copied()));
         }
     }
-    let cusps: Vec<(f64, f64)> = map.chart.curves.iter().flat_map(|curve| &curve.cusps).map(place).collect();
+    let cusps: Vec<(f64, f64)> =
+        map.chart.curves.iter().flat_map(|curve| &curve.cusps).map(position).collect();
     if !cusps.is_empty() {
         series.push(Series::line("cusp", style::markers(KINDS.len() + 1), cusps));
     }

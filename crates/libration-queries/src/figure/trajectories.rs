@@ -20,8 +20,8 @@ pub(crate) struct Sampled {
 
 impl Sampled {
     fn values<'a>(&'a self, shown: &StateAxis) -> impl Iterator<Item = f64> + use<'a> {
-        let place = shown.place;
-        self.states.iter().map(move |state| state[place])
+        let component = shown.component;
+        self.states.iter().map(move |state| state[component])
     }
 }
 
@@ -79,7 +79,9 @@ fn peaks(spectrum: &Spectrum, last: f64, lowest: f64) -> Vec<(f64, f64)> {
 
 fn curves(motions: &[Sampled], points: impl Fn(&Sampled) -> Vec<(f64, f64)>) -> Vec<Series> {
     let numbered = motions.iter().enumerate();
-    numbered.map(|(number, it)| Series::line(&it.label, style::curve(number), points(it))).collect()
+    numbered
+        .map(|(number, motion)| Series::line(&motion.label, style::curve(number), points(motion)))
+        .collect()
 }
 
 fn ends(values: impl Iterator<Item = f64>) -> (f64, f64) {

@@ -74,7 +74,9 @@ pub(crate) fn rows_described() -> Vec<Description> {
 }
 
 fn of_rows<'a>() -> Fields<&'a [BudgetRow]> {
-    Fields::from([Field::nested("budget[].", &of_effect(), |it: &&'a [BudgetRow]| of_effect().records(*it))])
+    Fields::from([Field::nested("budget[].", &of_effect(), |effects: &&'a [BudgetRow]| {
+        of_effect().records(*effects)
+    })])
 }
 
 /// Their descriptions.

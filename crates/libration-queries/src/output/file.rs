@@ -64,7 +64,7 @@ impl NewFile {
     /// The path of the complete file, after all links, and the temporary one; `None` for streams.
     pub(crate) fn places(&self) -> Option<[PathBuf; 2]> {
         match &self.target {
-            Target::Disk(_, it) => Some([it.target.clone(), it.beside.clone()]),
+            Target::Disk(_, disk) => Some([disk.target.clone(), disk.beside.clone()]),
             Target::Stream(_) | Target::Kept(_) => None,
         }
     }

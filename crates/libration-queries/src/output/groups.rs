@@ -128,9 +128,9 @@ impl Groups {
 pub(crate) fn fields<'a>(names: &'static FieldNames) -> Fields<Option<&'a Groups>> {
     type Of<'a> = Field<Option<&'a Groups>>;
     let rows: fn(&Option<&'a Groups>) -> Option<Value> =
-        |it| it.map(|groups| of_row(groups.names).records(&groups.rows));
-    let mean: fn(&Option<&'a Groups>) -> Option<Value> = |it| {
-        let groups = (*it)?;
+        |answer| answer.map(|groups| of_row(groups.names).records(&groups.rows));
+    let mean: fn(&Option<&'a Groups>) -> Option<Value> = |answer| {
+        let groups = (*answer)?;
         groups.mean.as_ref()?;
         Some(of_mean(groups.names).record(groups).into())
     };
@@ -169,8 +169,8 @@ fn of_row(names: &'static FieldNames) -> Fields<GroupRow> {
 
 fn of_mean(names: &'static FieldNames) -> Fields<Groups> {
     type Of = Field<Groups>;
-    fn mean(it: &Groups, part: fn(&GroupMean) -> f64) -> Option<f64> {
-        it.mean.as_ref().map(part)
+    fn mean(groups: &Groups, part: fn(&GroupMean) -> f64) -> Option<f64> {
+        groups.mean.as_ref().map(part)
     }
     Fields::from([
         Of::nullable(names.fields[0], names.unit, "weighted mean of the groups", |groups| {

@@ -45,19 +45,19 @@ pub(crate) fn fields() -> Fields<Option<NormalGravity>> {
             "normal_gravity_m_per_s2",
             "m/s²",
             "normal gravity at the latitude and height that are given (GRS80)",
-            |it| it.map(|it| it.normal.value),
+            |answer| answer.map(|compared| compared.normal.value),
         ),
         Of::present(
             "normal_gravity_uncertainty_m_per_s2",
             "m/s²",
             "standard uncertainty of that by the local anomaly",
-            |it| it.map(|it| it.normal.uncertainty),
+            |answer| answer.map(|compared| compared.normal.uncertainty),
         ),
         Of::present(
             "normal_gravity_deviation",
             "1",
             "measured less normal gravity, over the standard uncertainty of both",
-            |it| it.map(|it| it.deviation()),
+            |answer| answer.map(|compared| compared.deviation()),
         ),
     ])
 }

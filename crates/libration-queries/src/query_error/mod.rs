@@ -353,7 +353,7 @@ fn command_for(error: &clap::Error) -> Option<String> {
 
 /// `true` if a name ends as files of measurements do.
 fn is_recording(word: &str) -> bool {
-    let end = word.rsplit_once('.').map(|it| it.1.to_ascii_lowercase());
+    let end = word.rsplit_once('.').map(|parts| parts.1.to_ascii_lowercase());
     end.is_some_and(|end| {
         ["csv", "tsv", "txt", "dat", "xlsx", "xls", "ods", "zip", "json"].contains(&end.as_str())
     })

@@ -123,15 +123,18 @@ const REFUSED: &[(&[&str], &[&str], bool)] = &[
 #[test]
 fn messages_name_parameters_by_data_alone() {
     let queries = questions();
-    let names: Vec<String> =
-        queries.iter().flat_map(|query| &query.parameters).map(|it| format!("--{}", it.name)).collect();
+    let names: Vec<String> = queries
+        .iter()
+        .flat_map(|query| &query.parameters)
+        .map(|parameter| format!("--{}", parameter.name))
+        .collect();
     let mut wrong = vec![];
     for (words, parameters, has_hint) in REFUSED {
         let Err(error) = ask(words.iter().map(OsString::from), Arc::new(Nowhere)) else {
             wrong.push(format!("{words:?} has a result"));
             continue;
         };
-        let found: Vec<String> = error.parameters().iter().map(QueryParameter::name).collect();
+        let of_error: Vec<String> = error.parameters().iter().map(QueryParameter::name).collect();
         let written = error.in_words(&OtherWords);
         let is_word = |name: &String| {
             written
@@ -144,15 +147,15 @@ fn messages_name_parameters_by_data_alone() {
             .max_by_key(|query| query.words.len())
             .unwrap();
         let is_known = |name: &String| query.parameters.iter().any(|parameter| parameter.name == *name);
-        let holds = found == *parameters
+        let holds = of_error == *parameters
             && error.hint(&OtherWords).is_some() == *has_hint
             && !names.iter().any(is_word)
             && !written.contains("libration ")
             && !written.contains("<--")
             && !written.contains("<libration")
-            && found.iter().all(is_known);
+            && of_error.iter().all(is_known);
         if !holds {
-            wrong.push(format!("{words:?}: {found:?}: {written}"));
+            wrong.push(format!("{words:?}: {of_error:?}: {written}"));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));

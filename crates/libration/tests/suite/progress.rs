@@ -37,8 +37,8 @@ fn cancelled_at<T>(n: usize, call: &impl Fn(&dyn Progress) -> T) -> (T, usize) {
         updates.set(updates.get() + 1);
         if updates.get() == n { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    let found = call(&progress);
-    (found, updates.get())
+    let outcome = call(&progress);
+    (outcome, updates.get())
 }
 
 /// Cancels a call at the first, the last and some other updates; there must be no more updates, and the result must be right. A call that is not
@@ -49,9 +49,9 @@ fn stops<T: Debug + PartialEq>(call: impl Fn(&dyn Progress) -> T, is_right: impl
     assert!(updates > 1, "{updates} updates");
     assert_eq!(complete, whole);
     for n in [1, 2, updates / 3 + 1, updates / 2 + 1, updates] {
-        let (found, made) = cancelled_at(n, &call);
+        let (outcome, made) = cancelled_at(n, &call);
         assert_eq!(made, n.min(updates), "updates after the cancellation at update {n} of {updates}");
-        assert!(is_right(&found, &whole), "cancelled at update {n} of {updates}: {found:?}");
+        assert!(is_right(&outcome, &whole), "cancelled at update {n} of {updates}: {outcome:?}");
     }
 }
 
@@ -68,29 +68,30 @@ fn in_numbers(orbit: Result<Orbit, OrbitError>) -> Result<(f64, Vec<f64>), Orbit
     orbit.map(|orbit| (orbit.period(), orbit.start()))
 }
 
-fn no_orbit<T>(found: &Result<T, OrbitError>, _: &Result<T, OrbitError>) -> bool {
-    matches!(found, Err(OrbitError::Interrupted(Interrupted)))
+fn no_orbit<T>(outcome: &Result<T, OrbitError>, _: &Result<T, OrbitError>) -> bool {
+    matches!(outcome, Err(OrbitError::Interrupted(Interrupted)))
 }
 
 #[test]
 fn integrations_stop_with_the_samples_until_then() {
     let pendulum = System::new(&equation("theta'' = -sin(theta)")).unwrap();
     let (times, effort) = ([1.0, 5.0, 20.0], Effort::to_tolerance(1e-12));
-    let is_part = |found: &Result<Solution, IntegrationError>, whole: &Result<Solution, IntegrationError>| {
-        let Err(IntegrationError::Stopped { cause: Cause::Interrupted, solution }) = found else {
+    let is_part = |outcome: &Result<Solution, IntegrationError>,
+                   whole: &Result<Solution, IntegrationError>| {
+        let Err(IntegrationError::Stopped { cause: Cause::Interrupted, solution }) = outcome else {
             return false;
         };
         whole.as_ref().is_ok_and(|whole| whole.samples.starts_with(&solution.samples))
     };
     stops(|progress| integrate(&pendulum, &at(&[1.0, 0.0]), &times, &effort, progress), is_part);
-    let start = |place: f64| Trajectory { start: at(&[place, 0.0]), parameters: vec![], times: &times };
+    let start = |angle: f64| Trajectory { start: at(&[angle, 0.0]), parameters: vec![], times: &times };
     let many = [start(0.5), start(1.0), start(3.0)];
     stops(
         |progress| integrate_many(&pendulum, &many, &effort, progress),
-        |found, whole| {
-            let mut pairs = found.iter().zip(whole);
-            pairs.all(|(found, whole)| found == whole || is_part(found, whole))
-                && found.iter().any(Result::is_err)
+        |outcome, whole| {
+            let mut pairs = outcome.iter().zip(whole);
+            pairs.all(|(part, whole)| part == whole || is_part(part, whole))
+                && outcome.iter().any(Result::is_err)
         },
     );
     let starts = [at(&[0.5, 0.0]), at(&[3.0, 0.0])];
@@ -108,8 +109,8 @@ fn integrations_stop_with_the_samples_until_then() {
 fn searches_of_orbits_stop_at_any_update() {
     let pendulum = equation("theta'' = -sin(theta)");
     // In double precision, and next to the separatrix with more bits.
-    for place in [1.0, 3.141_592_653] {
-        stops(|progress| in_numbers(Orbit::released(&pendulum, place, progress)), no_orbit);
+    for angle in [1.0, 3.141_592_653] {
+        stops(|progress| in_numbers(Orbit::released(&pendulum, angle, progress)), no_orbit);
     }
     let van_der_pol = equation("x'' = (1 - x^2)*x' - x");
     stops(|progress| in_numbers(Orbit::limit_cycle(&van_der_pol, &[0.1, 0.0], progress)), no_orbit);
@@ -127,8 +128,8 @@ fn normal_forms_stop_before_the_next_order() {
     let terms = |form: NormalForm| form.slow_terms;
     stops(
         |progress| NormalForm::about(&coupled, &[0.0, 0.0], 4, 0.1, progress).map(terms),
-        |found, whole| {
-            matches!(found, Err(NormalFormError::Interrupted(_) | NormalFormError::NoModes(_)))
+        |outcome, whole| {
+            matches!(outcome, Err(NormalFormError::Interrupted(_) | NormalFormError::NoModes(_)))
                 && whole.is_ok()
         },
     );
@@ -137,12 +138,12 @@ fn normal_forms_stop_before_the_next_order() {
 #[test]
 fn resonances_stop_before_the_next() {
     let driven = PerturbedPendulum::new(&equation("x'' = -0.1*x' - sin(x) + 0.3*cos(t)")).unwrap();
-    let places = |found: Vec<DriveResonance>| -> Vec<(u32, f64)> {
-        found.iter().map(|it| (it.drive_periods, it.half_width)).collect()
+    let places = |resonances: Vec<DriveResonance>| -> Vec<(u32, f64)> {
+        resonances.iter().map(|resonance| (resonance.drive_periods, resonance.half_width)).collect()
     };
     stops(
         |progress| driven.resonances(4, progress).map(places),
-        |found, whole| *found == Err(Interrupted) && whole.is_ok(),
+        |outcome, whole| *outcome == Err(Interrupted) && whole.is_ok(),
     );
 }
 
@@ -152,11 +153,11 @@ fn branches_stop_with_the_points_that_are_followed() {
     let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };
     stops(
         |progress| Response::over(&duffing, "w", [0.9, 1.0], &options, progress),
-        |found, whole| match (found, whole) {
+        |outcome, whole| match (outcome, whole) {
             (Err(error), _) => *error == BranchError::Interrupted(Interrupted),
-            (Ok(found), Ok(whole)) => {
-                let (part, all) = (&found.branches[0].points, &whole.branches[0].points);
-                found.interrupted && part[..] == all[..part.len()]
+            (Ok(response), Ok(whole)) => {
+                let (part, all) = (&response.branches[0].points, &whole.branches[0].points);
+                response.interrupted && part[..] == all[..part.len()]
             }
             _ => false,
         },
@@ -169,10 +170,10 @@ fn expansions_stop_with_the_orders_that_are_certain() {
         let oscillator = Oscillator::new(&equation(text)).unwrap();
         stops(
             |progress| expand(&oscillator, 17, &Gauge::Fundamental, progress),
-            |found, whole| match (found, whole) {
+            |outcome, whole| match (outcome, whole) {
                 (Err(ExpansionError::Interrupted { known: None }), _) => true,
-                (Err(ExpansionError::Interrupted { known: Some(known) }), Ok(whole)) => {
-                    whole.frequency_ratio.starts_with(&known.frequency_ratio)
+                (Err(ExpansionError::Interrupted { known: Some(part) }), Ok(whole)) => {
+                    whole.frequency_ratio.starts_with(&part.frequency_ratio)
                 }
                 _ => false,
             },
@@ -186,9 +187,9 @@ fn expansions_with_letters_stop_with_the_orders_that_are_found() {
         let oscillator = SymbolicOscillator::new(&equation(text)).unwrap();
         stops(
             |progress| expand_symbolically(&oscillator, 7, &Gauge::Fundamental, progress),
-            |found, whole| match (found, whole) {
-                (Err(SymbolicExpansionError::Interrupted { known: Some(known) }), Ok(whole)) => {
-                    whole.series.frequency_ratio.starts_with(&known.series.frequency_ratio)
+            |outcome, whole| match (outcome, whole) {
+                (Err(SymbolicExpansionError::Interrupted { known: Some(part) }), Ok(whole)) => {
+                    whole.series.frequency_ratio.starts_with(&part.series.frequency_ratio)
                 }
                 _ => false,
             },
@@ -201,7 +202,7 @@ fn slow_flows_stop_at_any_update() {
     let damped = equation("x'' + c*x'*abs(x') + sin(x) = 0");
     stops(
         |progress| slow_flow(&damped, None, 4, 2, &Gauge::XMax, progress),
-        |found, _| *found == Err(SlowFlowError::Interrupted),
+        |outcome, _| *outcome == Err(SlowFlowError::Interrupted),
     );
 }
 
@@ -214,12 +215,12 @@ fn equations_of_harmonics_stop_at_any_update() {
             let open = OpenGauge::new(&force, 7, EpsilonPowers::OneParity, progress);
             open.map(|open| open.conditions().to_vec())
         },
-        |found, _| matches!(found, Err(OpenGaugeError::Interrupted(_))),
+        |outcome, _| matches!(outcome, Err(OpenGaugeError::Interrupted(_))),
     );
     let system = TruncatedSystem::new(&force, 2, 3).unwrap();
     stops(
         |progress| system.solutions(1.0, progress).map(|all| all[0].frequency_ratio_squared),
-        |found, _| matches!(found, Err(TruncatedSystemError::Interrupted(_))),
+        |outcome, _| matches!(outcome, Err(TruncatedSystemError::Interrupted(_))),
     );
 }
 
@@ -229,7 +230,7 @@ fn backbones_and_exact_values_stop_at_any_update() {
     let curve = Backbone::new(&duffing, None, 9, &Quiet).unwrap();
     stops(
         |progress| curve.at(0.5, progress),
-        |found, whole| no_orbit(&found.orbit, &whole.orbit) && found.series == whole.series,
+        |outcome, whole| no_orbit(&outcome.orbit, &whole.orbit) && outcome.series == whole.series,
     );
     stops(
         |progress| {
@@ -243,14 +244,14 @@ fn backbones_and_exact_values_stop_at_any_update() {
     let interrupted =
         |error: &ExactValueError| *error == ExactValueError::from(OrbitError::Interrupted(Interrupted));
     let relation = SeriesComparison::new(&oscillator, &expansion, SeriesQuantity::Period);
-    stops(|progress| relation.exact_at(0.5, progress), |found, _| found.as_ref().is_err_and(interrupted));
+    stops(|progress| relation.exact_at(0.5, progress), |outcome, _| outcome.as_ref().is_err_and(interrupted));
     let amplitude = Displacement::from_f64(0.5).unwrap();
     stops(
         |progress| {
             let motion = ExactMotion::new(&oscillator, &expansion, &amplitude, progress)?;
             motion.value(SeriesQuantity::Cosine(1))
         },
-        |found, _| found.as_ref().is_err_and(interrupted),
+        |outcome, _| outcome.as_ref().is_err_and(interrupted),
     );
 }
 
@@ -259,10 +260,10 @@ fn thresholds_and_integrals_over_the_separatrix_stop_at_any_update() {
     let driven = equation("x'' + sin(x) = -0.1*x'*abs(x') + A*cos(t)");
     stops(
         |progress| thresholds(&driven, "A", [0.3, 0.4], progress),
-        |found, _| matches!(found, Err(MelnikovError::Interrupted(_))),
+        |outcome, _| matches!(outcome, Err(MelnikovError::Interrupted(_))),
     );
     let weak = PerturbedPendulum::new(&equation("x'' + sin(x) = -0.1*x'*abs(x')")).unwrap();
-    stops(|progress| Melnikov::both(&weak, progress), |found, _| found.is_err());
+    stops(|progress| Melnikov::both(&weak, progress), |outcome, _| outcome.is_err());
 }
 
 #[test]
@@ -270,7 +271,7 @@ fn normal_modes_stop_at_any_update() {
     let pair = equation("x'' = y - 2*x - (x - y)^3; y'' = x - 2*y + (x - y)^3");
     stops(
         |progress| NormalModes::about(&pair, &[0.0, 0.0], progress).map(|modes| modes.modes),
-        |found, _| matches!(found, Err(ModesError::Interrupted(_))),
+        |outcome, _| matches!(outcome, Err(ModesError::Interrupted(_))),
     );
 }
 
@@ -285,7 +286,7 @@ fn sections_and_diagrams_stop_with_the_points_until_then() {
         let one = driven.with(&[("A", "1".parse().unwrap())]).unwrap();
         stops(
             |progress| compute_section(&one, &at(&[1.0, 0.0]), &cut, points, &effort, progress).unwrap(),
-            |found, whole| whole.points.starts_with(&found.points),
+            |outcome, whole| whole.points.starts_with(&outcome.points),
         );
         let family = Family { equation: &driven, parameter: "A", section: &cut, points };
         for how in [Continuation::SameStart, Continuation::LastState] {
@@ -295,7 +296,7 @@ fn sections_and_diagrams_stop_with_the_points_until_then() {
                     compute_bifurcation_diagram(&family, &values, &at(&[1.0, 0.0]), how, &effort, progress)
                         .unwrap()
                 },
-                |found, whole| found.iter().all(|column| whole.contains(column)),
+                |outcome, whole| outcome.iter().all(|column| whole.contains(column)),
             );
         }
     }
@@ -308,8 +309,8 @@ fn lyapunov_exponents_stop_with_the_intervals_until_then() {
     let schedule = Schedule { transient: 5.0, interval: 4.0, intervals: 40 };
     stops(
         |progress| lyapunov_exponent(&pendulum, &start, &schedule, &effort, progress),
-        |found, whole| match (found, whole) {
-            (Ok(found), Ok(whole)) => whole.convergence.starts_with(&found.convergence),
+        |outcome, whole| match (outcome, whole) {
+            (Ok(exponent), Ok(whole)) => whole.convergence.starts_with(&exponent.convergence),
             (Err(LyapunovError::Nothing(_) | LyapunovError::Integration(_)), _) => true,
             _ => false,
         },
@@ -321,7 +322,7 @@ fn tables_of_errors_stop_at_any_update() {
     let formulas = &catalogue()[..2];
     stops(
         |progress| ErrorTable::new(formulas, progress).map(|table| table.crossovers(0, 1)),
-        |found, _| *found == Err(Interrupted),
+        |outcome, _| *outcome == Err(Interrupted),
     );
 }
 
@@ -329,5 +330,5 @@ fn tables_of_errors_stop_at_any_update() {
 fn limit_cycles_over_exact_orbits_stop() {
     let equation = equation("x'' + x + x^3 = e*(1 - x^2)*x'");
     let none = Err(LeadingLimitCyclesError::Interrupted);
-    stops(|progress| LeadingLimitCycles::new(&equation, None, progress), |found, _| *found == none);
+    stops(|progress| LeadingLimitCycles::new(&equation, None, progress), |outcome, _| *outcome == none);
 }

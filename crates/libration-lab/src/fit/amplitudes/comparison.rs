@@ -43,7 +43,7 @@ impl<'a> LawComparison<'a> {
     ) -> Result<Self, AmplitudesError> {
         let needed = parameters(table, DampingModel::UNDAMPED) + 1 + usize::from(!table.weighted);
         if table.len() < needed {
-            return Err(AmplitudesError::TooFewRows { found: table.len(), needed });
+            return Err(AmplitudesError::TooFewRows { rows: table.len(), needed });
         }
         let zero = first_zero(table);
         let readings = table.rows.iter().map(|row| (row.value - zero).abs());
@@ -121,7 +121,7 @@ fn compared(table: &AmplitudeTable, fits: &[DecayLawFit]) -> Vec<Compared> {
         Some(misfit(fit) + akaike::cost(rows, count(parameters))?)
     };
     let damped = || fits.iter().filter(|fit| fit.terms != DampingModel::UNDAMPED);
-    let has_criterion = damped().any(|it| aicc(it).is_some());
+    let has_criterion = damped().any(|fit| aicc(fit).is_some());
     // Where the rows are too few for the criterion laws of one kind of damping compare by their misfit.
     let score = |fit: &DecayLawFit| match has_criterion {
         true => aicc(fit),
@@ -129,11 +129,11 @@ fn compared(table: &AmplitudeTable, fits: &[DecayLawFit]) -> Vec<Compared> {
     };
     let least = damped().filter_map(score).fold(f64::INFINITY, f64::min);
     let mut laws: Vec<Compared> = damped()
-        .map(|it| Compared {
-            aicc: aicc(it),
-            excess: score(it).map_or(f64::INFINITY, |score| score - least),
-            chance: chance(it, fits, dof(it)),
-            fit: it.clone(),
+        .map(|fit| Compared {
+            aicc: aicc(fit),
+            excess: score(fit).map_or(f64::INFINITY, |score| score - least),
+            chance: chance(fit, fits, dof(fit)),
+            fit: fit.clone(),
         })
         .collect();
     laws.sort_by(|a, b| a.fit.terms.count().cmp(&b.fit.terms.count()).then(a.excess.total_cmp(&b.excess)));
@@ -142,7 +142,7 @@ fn compared(table: &AmplitudeTable, fits: &[DecayLawFit]) -> Vec<Compared> {
 
 /// Probability by the F test of the last term. It uses the scatter, so that a common factor of all uncertainties does not matter.
 fn chance(law: &DecayLawFit, all: &[DecayLawFit], dof: usize) -> Option<f64> {
-    let simpler = all.iter().filter(|it| it.terms.count() + 1 == law.terms.count());
+    let simpler = all.iter().filter(|fit| fit.terms.count() + 1 == law.terms.count());
     let simpler = simpler.filter(|simpler| simpler.terms.is_part_of(law.terms)).map(|simpler| simpler.chi2);
     let simpler = simpler.fold(f64::INFINITY, f64::min);
     (dof > 0 && simpler.is_finite()).then(|| {

@@ -7,12 +7,12 @@ use crate::fit::damping_model::DampingModel;
 #[non_exhaustive]
 pub enum AmplitudesError {
     /// Columns of different lengths.
-    #[error("the {column} have {found} rows, the amplitudes {expected}: give one for each")]
+    #[error("the {column} have {rows} rows, the amplitudes {expected}: give one for each")]
     LengthMismatch {
         /// Name of the column.
         column: &'static str,
         /// Number of its rows.
-        found: usize,
+        rows: usize,
         /// Number of rows of the amplitudes.
         expected: usize,
     },
@@ -90,10 +90,10 @@ pub enum AmplitudesError {
     )]
     PeriodTwice,
     /// Fewer rows than needed for the parameters, and for the scatter where it is needed.
-    #[error("give at least {needed} rows: {found} cannot determine the damping and its uncertainty")]
+    #[error("give at least {needed} rows: {rows} cannot determine the damping and its uncertainty")]
     TooFewRows {
         /// Number of rows.
-        found: usize,
+        rows: usize,
         /// Number of rows that are needed.
         needed: usize,
     },

@@ -154,7 +154,7 @@ impl AmplitudesFit {
         };
         let last = of(ends[1]).filter(|quality| quality.amplitude.is_some());
         let mut fit = Self {
-            laws: comparison.laws.iter().map(|it| LawOfAmplitudes::new(law, it, phase)).collect(),
+            laws: comparison.laws.iter().map(|compared| LawOfAmplitudes::new(law, compared, phase)).collect(),
             chosen: comparison.chosen,
             period,
             natural_frequency,

@@ -47,10 +47,10 @@ fn error_of_amplitudes(law: &DecayLaw<'_>, fit: &DecayLawFit, scale: f64, period
         let moved = |sign: f64| {
             let mut parameters = fit.parameters.clone();
             parameters[k] += sign * deviation(k);
-            observed(law, fit.terms, &parameters).map(|it| sign * (it.value - period))
+            observed(law, fit.terms, &parameters).map(|observed| sign * (observed.value - period))
         };
         // Outside the domain there is no period on one side.
-        moved(1.0).or_else(|| moved(-1.0)).filter(|it| it.is_finite()).unwrap_or(0.0)
+        moved(1.0).or_else(|| moved(-1.0)).filter(|change| change.is_finite()).unwrap_or(0.0)
     };
     let count = fit.parameters.len();
     let changes = DVector::from_fn(count, |k, _| change(k));

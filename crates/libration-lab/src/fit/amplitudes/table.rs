@@ -300,7 +300,7 @@ fn check_lengths(columns: &AmplitudeColumns<'_>) -> Result<(), AmplitudesError> 
         ("periods", optional(columns.periods)),
     ];
     match lengths.into_iter().find(|(_, length)| *length != expected) {
-        Some((column, length)) => Err(AmplitudesError::LengthMismatch { column, found: length, expected }),
+        Some((column, length)) => Err(AmplitudesError::LengthMismatch { column, rows: length, expected }),
         None => Ok(()),
     }
 }

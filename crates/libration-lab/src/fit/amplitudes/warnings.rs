@@ -30,7 +30,7 @@ pub(super) fn warnings(
         false => is_rounding.then_some(ScatterWarning::Without),
     };
     let chance = law.chance.filter(|chance| *chance > RESOLVED && law.damping.count() == 1);
-    let qualities = [fit.quality, fit.last_quality].into_iter().flatten().map(|it| it.factor.value);
+    let qualities = [fit.quality, fit.last_quality].into_iter().flatten().map(|quality| quality.factor.value);
     let lowest = qualities.fold(f64::INFINITY, f64::min);
     [
         refuted(comparison),

@@ -70,7 +70,7 @@ impl Centre {
         let middle = |window: &[Option<Extreme>]| {
             let complete: Vec<Extreme> = window.iter().copied().collect::<Option<_>>()?;
             let weighted =
-                complete.iter().zip(weights).map(|(it, weight)| weight * (it.value + self.at(it.time)));
+                complete.iter().zip(weights).map(|(turn, weight)| weight * (turn.value + self.at(turn.time)));
             Some((complete[weights.len() / 2].time, weighted.sum()))
         };
         extremes.windows(weights.len()).filter_map(middle).collect()

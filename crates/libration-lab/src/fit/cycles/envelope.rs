@@ -114,7 +114,7 @@ pub(super) fn envelope(
     watch: &Watch<'_>,
 ) -> Result<Envelope, CyclesError> {
     if half_swings.len() < FEWEST {
-        return Err(CyclesError::TooFewHalfSwings { found: half_swings.len(), needed: FEWEST });
+        return Err(CyclesError::TooFewHalfSwings { count: half_swings.len(), needed: FEWEST });
     }
     let mut fall = Fall::new(half_swings, omega0, watch);
     let full = DampingModel::all().into_iter().max_by_key(|terms| terms.count()).unwrap_or_default();
@@ -135,7 +135,7 @@ pub(super) fn envelope(
         .collect();
     fits.sort_by(|a, b| a.0.total_cmp(&b.0));
     let Some(lowest) = fits.first().map(|fit| fit.0) else {
-        return Err(CyclesError::TooFewHalfSwings { found: half_swings.len(), needed: FEWEST });
+        return Err(CyclesError::TooFewHalfSwings { count: half_swings.len(), needed: FEWEST });
     };
     let fits = fits.into_iter().map(|(score, fit)| EnvelopeFit { aicc_difference: score - lowest, ..fit });
     Ok(Envelope {

@@ -61,10 +61,10 @@ pub enum CyclesError {
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
     /// Too few extremes to determine the fall of the amplitude.
-    #[error("{} are too few to determine the damping: record at least {needed}", counted(*found, "turning point"))]
+    #[error("{} are too few to determine the damping: record at least {needed}", counted(*count, "turning point"))]
     TooFewHalfSwings {
         /// Number of extremes that were found.
-        found: usize,
+        count: usize,
         /// Number of extremes that are needed.
         needed: usize,
     },

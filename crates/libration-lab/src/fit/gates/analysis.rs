@@ -147,7 +147,7 @@ fn contradicting(t0: Uncertain, beta: &Beta) -> Option<Contradiction> {
     let estimate = |(name, t0): (&str, _)| Estimate { name: name.to_owned(), t0, degrees_of_freedom };
     let pair = [("β = 1", t0), ("β free", beta.t0)].map(estimate);
     Contradiction::of(pair.each_ref(), beta.deviation(), degrees_of_freedom)
-        .filter(|it| it.half_width() > LEAST * t0.value)
+        .filter(|contradiction| contradiction.half_width() > LEAST * t0.value)
 }
 
 /// Relative standard uncertainty of T0 by dry friction, which lengthens the first period by p²/8π if it takes the part p of the first amplitude in each

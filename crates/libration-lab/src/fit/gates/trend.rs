@@ -20,7 +20,7 @@ pub fn at_the_beginning(times: &[f64], periods: &[f64], time: f64) -> Option<Unc
     let halves = std::iter::successors(Some(times.len() / 2), |rows| Some(rows / 2));
     let parts = halves.take_while(|rows| *rows >= ROWS_FOR_DEGREES[1]);
     let parts = parts.filter_map(|rows| extrapolated(&times[..rows], &periods[..rows], time));
-    let best = std::iter::once(whole).chain(parts).map(|it| it.period);
+    let best = std::iter::once(whole).chain(parts).map(|polynomial| polynomial.period);
     best.filter(|best| best.uncertainty.is_finite())
         .min_by(|one, other| one.uncertainty.total_cmp(&other.uncertainty))
 }
@@ -41,7 +41,7 @@ fn extrapolated(times: &[f64], periods: &[f64], time: f64) -> Option<Extrapolate
     }
     let value = |degree: usize| polynomial(times, periods, time, degree);
     let best = value(degree)?;
-    let lower = |by: usize| degree.checked_sub(by).and_then(value).map(|it| it.value);
+    let lower = |by: usize| degree.checked_sub(by).and_then(value).map(|period| period.value);
     let change = lower(1).map_or(0.0, |lower| (best.value - lower).abs());
     let ratio = match (lower(1), lower(2)) {
         (Some(one), Some(two)) if change > SIGNIFICANT * best.uncertainty => change / (one - two).abs(),

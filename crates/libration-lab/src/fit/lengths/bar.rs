@@ -174,7 +174,8 @@ fn at_minimum(table: &LengthTable, model: LengthModel, offset: f64, ratio: f64) 
     });
     for _ in 0..MOST_ROUNDS {
         let deviations = deviations(table, &parameters, ratio);
-        let least = minimum(parameters.clone(), EFFORT, |it| linearised(table, it, &deviations)).ok()?;
+        let least =
+            minimum(parameters.clone(), EFFORT, |trial| linearised(table, trial, &deviations)).ok()?;
         if !least.parameters.iter().take(2).all(|&parameter| parameter > 0.0) {
             return None;
         }

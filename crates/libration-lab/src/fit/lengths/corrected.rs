@@ -29,7 +29,9 @@ impl CorrectedLaw<'_> {
     /// The fit to the table with its uncorrected periods.
     fn fit_to(&self, table: &LengthTable, radius: Option<f64>) -> Option<LengthFit> {
         match self.model {
-            LengthModel::Reversible => reversible::reversible(table, self.options.edges).ok().map(|it| it.0),
+            LengthModel::Reversible => {
+                reversible::reversible(table, self.options.edges).ok().map(|fit| fit.0)
+            }
             bar if bar.is_of_bars() => bar::fit(table, bar),
             string => model::fit(table, string, radius).ok().flatten(),
         }

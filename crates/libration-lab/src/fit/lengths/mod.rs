@@ -153,7 +153,7 @@ fn of_strings(table: &LengthTable, options: &LengthsOptions) -> Result<Vec<Lengt
     let fits: Vec<LengthFit> = fits.into_iter().flatten().collect();
     let needed = if table.is_weighted() { 2 } else { 3 };
     if fits.is_empty() || table.len() < needed {
-        return Err(FitError::TooFewRows { found: table.len(), needed, parameters: "g" });
+        return Err(FitError::TooFewRows { rows: table.len(), needed, parameters: "g" });
     }
     if !fits.iter().any(|fit| fit.model == LengthModel::Offset) {
         let differ = table.rows.windows(2).any(|pair| pair[0].length.total_cmp(&pair[1].length).is_ne());

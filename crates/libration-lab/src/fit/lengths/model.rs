@@ -203,7 +203,7 @@ impl LawSearch<'_> {
         let mut current = (solve(&self.table.rows, self.width, 0.0, 0.0, &first)?, 0.0);
         for _ in 0..MOST_ROUNDS {
             let next = self.renewed(&current.0, 0.0)?;
-            let [last, coefficients] = [&current, &next].map(|it| &it.0.coefficients);
+            let [last, coefficients] = [&current, &next].map(|round| &round.0.coefficients);
             let settled = is_settled(last, coefficients, &next.0.covariance, 1.0);
             current = next;
             if settled {

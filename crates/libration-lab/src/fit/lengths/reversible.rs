@@ -32,7 +32,7 @@ pub(super) fn reversible(
     let mut lengths: Vec<f64> = table.rows.iter().map(|row| row.length.abs()).collect();
     lengths.sort_by(f64::total_cmp);
     lengths.dedup();
-    let &[near, far] = &lengths[..] else { return Err(FitError::KnifeEdges { found: lengths.len() }) };
+    let &[near, far] = &lengths[..] else { return Err(FitError::KnifeEdges { count: lengths.len() }) };
     if !table.is_weighted() {
         return Err(FitError::KnifeEdgePeriods);
     }
@@ -93,7 +93,8 @@ fn known_difference(difference: f64, uncertainty: f64) -> Result<Uncertain, FitE
 
 /// The distance of the edges, as given, else the sum of their distances from the centre of mass.
 fn distance_of_edges(edges: Option<Quantity>, sum: f64, of_sum: f64) -> Result<Uncertain, FitError> {
-    let (value, uncertainty) = edges.map_or((sum, of_sum), |it| (it.value, it.uncertainty.unwrap_or(0.0)));
+    let (value, uncertainty) =
+        edges.map_or((sum, of_sum), |distance| (distance.value, distance.uncertainty.unwrap_or(0.0)));
     if !(value > 0.0 && value.is_finite() && (0.0..f64::INFINITY).contains(&uncertainty)) {
         return Err(FitError::Length { value, uncertainty });
     }

@@ -56,7 +56,7 @@ impl LengthTable {
         let expected = columns.lengths.len();
         let same = |column: &'static str, length: usize| match length == expected {
             true => Ok(()),
-            false => Err(FitError::LengthMismatch { column, found: length, expected }),
+            false => Err(FitError::LengthMismatch { column, rows: length, expected }),
         };
         same("periods", columns.periods.len())?;
         same("uncertainties of the lengths", columns.length_uncertainties.map_or(expected, <[f64]>::len))?;
@@ -74,7 +74,7 @@ impl LengthTable {
     /// scatter less about a law; ignored unless all are above zero.
     #[must_use]
     pub fn with_rounding(self, rounding: Vec<f64>) -> Self {
-        let is_usable = rounding.len() == self.rows.len() && rounding.iter().all(|it| *it > 0.0);
+        let is_usable = rounding.len() == self.rows.len() && rounding.iter().all(|step| *step > 0.0);
         Self { rounding: Some(rounding).filter(|_| is_usable), ..self }
     }
 
@@ -100,7 +100,7 @@ impl LengthTable {
     /// Adds the repeated readings from which the uncertainties of the periods come; ignored if their rows are not those of the table.
     #[must_use]
     pub fn with_readings(self, readings: RepeatedReadings) -> Self {
-        let readings = Some(readings).filter(|it| it.rows.len() == self.rows.len() && self.weighted);
+        let readings = Some(readings).filter(|table| table.rows.len() == self.rows.len() && self.weighted);
         Self { readings, ..self }
     }
 

@@ -75,8 +75,8 @@ impl Iterator for RecordingParts<'_> {
         let (ratio, condition) = swing.map_or((1.0, 0.0), |swing| (swing.period_ratio(), swing.condition()));
         let half = self.recording.angular_frequency() / ratio * self.duration / f64::from(2 * PLACES);
         let rates = [half, half * condition, half * condition * part / 2.0];
-        let middle = [0, 1, 2].map(|it| self.integrals[it] + rates[it]);
-        self.integrals = [0, 1, 2].map(|it| middle[it] + rates[it]);
+        let middle = [0, 1, 2].map(|n| self.integrals[n] + rates[n]);
+        self.integrals = [0, 1, 2].map(|n| middle[n] + rates[n]);
         self.done += 1;
         Some(Place { part, amplitude, by_phase: Vector4::new(middle[0], 1.0, -middle[1], middle[2]) })
     }

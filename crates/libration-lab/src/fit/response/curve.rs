@@ -56,7 +56,7 @@ impl ResponseFit {
         let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };
         let response = Response::over(&equation, "w", range, &options, progress)?;
         let branches = response.branches.iter().map(|branch| {
-            let special = branch.special.iter().map(|it| (it.before, &it.point));
+            let special = branch.special.iter().map(|special| (special.before, &special.point));
             let mut points: Vec<(usize, &BranchPoint)> = special.collect();
             points.extend(branch.points.iter().enumerate());
             // A special point stands before the one with its index.

@@ -7,12 +7,12 @@ use super::ResponseModel;
 #[non_exhaustive]
 pub enum ResponseFitError {
     /// Columns of different lengths.
-    #[error("the {column} have {found} rows, the frequencies {expected}: give one for each")]
+    #[error("the {column} have {rows} rows, the frequencies {expected}: give one for each")]
     LengthMismatch {
         /// Name of the column.
         column: &'static str,
         /// Number of its rows.
-        found: usize,
+        rows: usize,
         /// Number of rows of the frequencies.
         expected: usize,
     },
@@ -61,11 +61,11 @@ pub enum ResponseFitError {
     NoUncertainties,
     /// Fewer rows than needed for the parameters, and for the scatter where it is needed.
     #[error(
-        "give at least {needed} rows: {found} cannot determine the {parameters} parameters of a {model} response"
+        "give at least {needed} rows: {rows} cannot determine the {parameters} parameters of a {model} response"
     )]
     TooFewRows {
         /// Number of rows.
-        found: usize,
+        rows: usize,
         /// Number of rows that are needed.
         needed: usize,
         /// Number of parameters of the model.

@@ -105,7 +105,8 @@ impl OneHarmonic {
 
 impl DriveMethod for OneHarmonic {
     fn required(&self, asked: &[Asked], coefficients: &[f64]) -> Option<Vec<RequiredDrive>> {
-        let drives: Vec<RequiredDrive> = asked.iter().map(|it| self.drive(it, coefficients)).collect();
+        let drives: Vec<RequiredDrive> =
+            asked.iter().map(|response| self.drive(response, coefficients)).collect();
         drives.iter().all(|drive| drive.drive.is_finite()).then_some(drives)
     }
 }
@@ -164,7 +165,7 @@ impl AllHarmonics {
             return Some(last.iter().map(|(_, shape)| *shape).collect());
         }
         let rough = OneHarmonic(self.model).required(asked, coefficients)?;
-        Some(rough.into_iter().map(|it| it.shape).collect())
+        Some(rough.into_iter().map(|drive| drive.shape).collect())
     }
 
     /// Integrates the motions to the ends of half periods.

@@ -158,7 +158,7 @@ impl Search<'_> {
             let next = self.moved(&here, &round, part);
             match self.round(&next) {
                 Ok(of_next) => {
-                    let [before, after] = [&round, &of_next].map(|it| it.step_over(&round));
+                    let [before, after] = [&round, &of_next].map(|residuals| residuals.step_over(&round));
                     let goes_too_far = after.dot(&before) < 0.0 && after.norm() > before.norm();
                     if part <= LEAST_PART || !goes_too_far {
                         (here, round) = (next, of_next);

@@ -145,7 +145,7 @@ impl ResponseTable {
         let needed = parameters + usize::from(!self.is_weighted());
         if self.data() < needed {
             let needed = if self.has_phases() { needed.div_ceil(2) } else { needed };
-            return Err(ResponseFitError::TooFewRows { found: self.len(), needed, parameters, model });
+            return Err(ResponseFitError::TooFewRows { rows: self.len(), needed, parameters, model });
         }
         Ok(())
     }
@@ -163,7 +163,7 @@ impl ResponseColumns<'_> {
         ] {
             let length = values.map_or(expected, <[f64]>::len);
             if length != expected {
-                return Err(ResponseFitError::LengthMismatch { column, found: length, expected });
+                return Err(ResponseFitError::LengthMismatch { column, rows: length, expected });
             }
         }
         if self.unstated_errors == AmplitudeErrors::Stated && self.amplitude_uncertainties.is_none() {

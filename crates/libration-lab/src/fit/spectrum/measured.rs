@@ -237,10 +237,10 @@ impl UsableWindows {
         };
         let last = windows[0].harmonics[n];
         Harmonic {
-            in_phase: of(&|it| it.in_phase),
-            quadrature: last.quadrature.map(|_| of(&|it| it.quadrature.unwrap_or_default())),
-            theory: of(&|it| Uncertain { value: it.theory, uncertainty: 0.0 }).value,
-            difference: last.difference.map(|_| of(&|it| it.difference.unwrap_or_default())),
+            in_phase: of(&|harmonic| harmonic.in_phase),
+            quadrature: last.quadrature.map(|_| of(&|harmonic| harmonic.quadrature.unwrap_or_default())),
+            theory: of(&|harmonic| Uncertain { value: harmonic.theory, uncertainty: 0.0 }).value,
+            difference: last.difference.map(|_| of(&|harmonic| harmonic.difference.unwrap_or_default())),
             ..last
         }
     }
@@ -264,10 +264,11 @@ impl UsableWindows {
 /// The mean of independent values with these weights.
 fn mean(weights: &[f64], values: impl Iterator<Item = Uncertain>) -> Uncertain {
     let total: f64 = weights.iter().sum();
-    let (value, variance) = weights.iter().zip(values).fold((0.0, 0.0), |(sum, variance), (weight, it)| {
-        let [part, deviation] = [it.value, it.uncertainty].map(|part| weight / total * part);
-        (sum + part, variance + deviation * deviation)
-    });
+    let (value, variance) =
+        weights.iter().zip(values).fold((0.0, 0.0), |(sum, variance), (weight, value)| {
+            let [part, deviation] = [value.value, value.uncertainty].map(|part| weight / total * part);
+            (sum + part, variance + deviation * deviation)
+        });
     Uncertain { value, uncertainty: variance.sqrt() }
 }
 

@@ -36,7 +36,7 @@ pub(super) fn tapered(
         let row = kept[index];
         let taper = 0.5 - 0.5 * libm::cos(TAU * (all[row] - all[0]) / span);
         let beside =
-            [index.checked_sub(1), Some(index)].into_iter().flatten().filter_map(|it| intervals.get(it));
+            [index.checked_sub(1), Some(index)].into_iter().flatten().filter_map(|side| intervals.get(side));
         let stands_for = (0.5 * beside.sum::<f64>()).min(longest);
         let uncertainty = trace.uncertainties().map_or(1.0, |column| column[row]);
         taper * stands_for / (uncertainty * uncertainty)

@@ -107,7 +107,7 @@ impl WindowRows<'_> {
         let middle = 0.5 * (self.ends[1] + self.ends[0]);
         let positions: Vec<f64> = self.times.iter().map(|time| (time - middle) / half).collect();
         let inverses: Vec<f64> = match self.uncertainties {
-            Some(column) => column.iter().map(|it| it.recip()).collect(),
+            Some(column) => column.iter().map(|uncertainty| uncertainty.recip()).collect(),
             None => vec![1.0; positions.len()],
         };
         let growths = (0..=self.highest).map(Growth::by_number).collect();
@@ -173,7 +173,7 @@ impl WindowRows<'_> {
             // Where the phase is far off a part of the first harmonic is in the sine.
             if let (Some(theory), true) = (theory, size < NEAR) {
                 state.growths = (0..=self.highest).map(|n| theory.growth(n)).collect();
-                state.shape = cosine.map(|it| it / cosine[0]);
+                state.shape = cosine.map(|coefficient| coefficient / cosine[0]);
             }
         }
         None
@@ -254,7 +254,7 @@ fn lag(cosine: &[f64; TERMS], sine: &[f64; TERMS]) -> Option<[f64; TERMS]> {
     let powers =
         SMatrix::<f64, TERMS, TERMS>::from_fn(|node, j| (0..j).fold(1.0, |power, _| power * NODES[node]));
     let lag = powers.lu().solve(&SVector::<f64, TERMS>::from(lags))?;
-    lag.iter().all(|it| it.is_finite()).then(|| lag.into())
+    lag.iter().all(|coefficient| coefficient.is_finite()).then(|| lag.into())
 }
 
 fn polynomial(coefficients: &[f64; TERMS], x: f64) -> f64 {

@@ -56,7 +56,7 @@ fn refuted(analysis: &SwingsFit) -> Option<Warning> {
 fn pivot(traces: &[Trace]) -> Option<Warning> {
     let mut pivots = traces.iter().filter_map(Trace::fitted_pivot);
     let contradicted = |pivot: &FittedPivot| {
-        Some(Warning::PivotContradicted { given: pivot.position, found: pivot.contradicted_by? })
+        Some(Warning::PivotContradicted { given: pivot.position, fitted: pivot.contradicted_by? })
     };
     pivots.find_map(contradicted)
 }
@@ -129,7 +129,7 @@ fn different_pendulums(analysis: &SwingsFit, traces: &[Trace]) -> Option<Warning
     let (one, short) = measured.iter().min_by(|a, b| a.1.t0.value.total_cmp(&b.1.t0.value))?;
     let (other, long) = measured.iter().max_by(|a, b| a.1.t0.value.total_cmp(&b.1.t0.value))?;
     let difference = long.t0.value - short.t0.value;
-    let errors = [short, long].map(|it| (it.t0.uncertainty, it.t0_degrees_of_freedom));
+    let errors = [short, long].map(|fit| (fit.t0.uncertainty, fit.t0_degrees_of_freedom));
     let limit = limit_of_chance(SIGNIFICANT, combined_degrees_of_freedom(&errors));
     let by_chance = limit * libm::hypot(short.t0.uncertainty, long.t0.uncertainty);
     (difference > by_chance && difference > APART * short.t0.value).then(|| Warning::DifferentPendulums {

@@ -30,7 +30,7 @@ pub enum Warning {
         /// The pivot that was given, in the unit of the positions.
         given: [f64; 2],
         /// The centre of the circle, in the same unit.
-        found: [f64; 2],
+        fitted: [f64; 2],
     },
     /// A warning about gravity and its uncertainty.
     Budget(BudgetWarning),

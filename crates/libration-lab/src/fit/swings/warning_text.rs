@@ -26,7 +26,7 @@ impl fmt::Display for Warning {
                 f,
                 "the model is rejected: {contradiction}. The uncertainty of T₀ includes the difference"
             ),
-            Self::PivotContradicted { given: [x, y], found: [u, v] } => write!(
+            Self::PivotContradicted { given: [x, y], fitted: [u, v] } => write!(
                 f,
                 "the pivot that was given, ({x}, {y}), contradicts the positions: they are on a circle about ({}, {}). The difference is in the \
                  uncertainties; check the pivot and its unit, or leave it out to have the circle fitted",

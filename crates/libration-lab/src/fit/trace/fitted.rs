@@ -194,8 +194,9 @@ impl TraceFit {
     #[must_use]
     pub fn negative_terms(&self) -> Vec<DampingKind> {
         let negative = |term: &DampingKind| {
-            self.damping_coefficient(*term)
-                .is_some_and(|it| it.estimate.value < -2.0 * it.estimate.uncertainty)
+            self.damping_coefficient(*term).is_some_and(|coefficient| {
+                coefficient.estimate.value < -2.0 * coefficient.estimate.uncertainty
+            })
         };
         self.damping.iter().filter(negative).collect()
     }

@@ -56,10 +56,10 @@ impl GivenRoles {
         for (column, role) in &self.roles {
             roles[table.sheet().index_of(column)?] = Some(*role);
         }
-        for (quantity, it) in needed.iter().enumerate() {
+        for (quantity, named) in needed.iter().enumerate() {
             let of_quantity = |role: &&Option<ColumnRole>| matches!(role, Some(ColumnRole::Uncertainty(of, _)) if *of == quantity);
             if roles.iter().filter(of_quantity).count() > 1 {
-                let question = format!("two columns are uncertainties of the {}", it.name);
+                let question = format!("two columns are uncertainties of the {}", named.name);
                 let choices = vec![Suggestion::new(Choice::Role, "COLUMN=ignore")];
                 return Err(MeasurementError::Undecided { question, choices });
             }

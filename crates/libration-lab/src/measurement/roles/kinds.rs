@@ -76,7 +76,7 @@ fn kind(channel: &Channel, has_times: bool) -> Kind {
         () if heading.unit.is_none() && is_number_of_row(heading, channel, name) => Kind::Other,
         () if heading.unit.is_none() && is_number_of_readings(channel, name) => Kind::NumbersOfReadings,
         () if heading.unit.is_none() && is_of_swings(channel, has_times) => Kind::Swings,
-        () if GROUP.contains(&name) || FUNCTIONS.iter().any(|it| name.starts_with(it)) => Kind::Other,
+        () if GROUP.contains(&name) || FUNCTIONS.iter().any(|word| name.starts_with(word)) => Kind::Other,
         () if is_other_power(heading) => Kind::Other,
         () if is_mean(&heading.text) => Kind::Means,
         () => Kind::Values,
@@ -118,8 +118,9 @@ fn most_are_numbers(channel: &Channel) -> bool {
 }
 
 fn most_are_whole(channel: &Channel) -> bool {
-    let are_whole: Vec<bool> = channel.numbers().flatten().map(|it| it >= 1.0 && it.fract() == 0.0).collect();
-    2 * are_whole.iter().filter(|it| **it).count() > are_whole.len()
+    let are_whole: Vec<bool> =
+        channel.numbers().flatten().map(|number| number >= 1.0 && number.fract() == 0.0).collect();
+    2 * are_whole.iter().filter(|is_whole| **is_whole).count() > are_whole.len()
 }
 
 /// `N readings`, `No. of trials`, `Anzahl Messungen`.

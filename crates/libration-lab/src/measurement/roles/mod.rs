@@ -152,7 +152,8 @@ impl Table {
         given: &GivenRoles,
     ) -> Result<TableRoles, MeasurementError> {
         let roles = given.places(self, needed)?;
-        let clock = if needed.iter().any(|it| it.name == POSITION) { Kind::Values } else { Kind::Other };
+        let clock =
+            if needed.iter().any(|quantity| quantity.name == POSITION) { Kind::Values } else { Kind::Other };
         let kinds = kinds::of(self, clock);
         let mut search = RoleSearch { table: self, needed, kinds, roles, notes: vec![] };
         search.refuse_tables_side_by_side()?;
@@ -209,8 +210,8 @@ impl RoleSearch<'_> {
     fn assign_rest(&mut self) {
         for (kind, role) in [(Kind::Swings, ColumnRole::Swings), (Kind::Group, ColumnRole::Group)] {
             if self.with_role(role).is_empty() {
-                let free =
-                    (0..self.kinds.len()).find(|&it| self.kinds[it] == kind && self.roles[it].is_none());
+                let free = (0..self.kinds.len())
+                    .find(|&index| self.kinds[index] == kind && self.roles[index].is_none());
                 if let Some(column) = free {
                     self.roles[column] = Some(role);
                 }
@@ -245,7 +246,7 @@ impl RoleSearch<'_> {
             readings: columns(ColumnRole::Readings).first().cloned(),
             group: columns(ColumnRole::Group).first().cloned(),
             unused: (0..self.roles.len())
-                .filter(|&it| self.roles[it].is_none() && !is_empty(it))
+                .filter(|&index| self.roles[index].is_none() && !is_empty(index))
                 .map(column)
                 .collect(),
             notes: self.notes,

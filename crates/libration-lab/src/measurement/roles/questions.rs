@@ -84,7 +84,8 @@ impl RoleSearch<'_> {
             let name = self.heading(column).name.to_lowercase();
             let has = |notations: &[&str]| notations.iter().any(|words| name.contains(words));
             let is_square = || {
-                has(&SQUARES) || name.split(|letter: char| !letter.is_alphanumeric()).any(|it| it == "rms")
+                has(&SQUARES)
+                    || name.split(|letter: char| !letter.is_alphanumeric()).any(|word| word == "rms")
             };
             match () {
                 () if has(&FULL) => Some((column, ["twice the", "halve its numbers"])),

@@ -34,7 +34,7 @@ impl RoleSearch<'_> {
         };
         let Some(missing) = (0..self.needed.len()).find(is_missing) else { return Ok(()) };
         let name = self.needed[missing].name;
-        let needed = self.needed.iter().filter(|it| it.only_named.is_none()).count();
+        let needed = self.needed.iter().filter(|quantity| quantity.only_named.is_none()).count();
         if self.numbers() < needed {
             let (names, numbers, words) = (self.names(), self.numbers(), self.words());
             return Err(MeasurementError::TooFewColumns { names, numbers, words });
@@ -51,7 +51,7 @@ impl RoleSearch<'_> {
         let is_needed = |column: &usize| {
             let heading = self.heading(*column);
             let counts = !matches!(counted(&heading.text), CountedPeriods::Nothing);
-            counts || self.needed.iter().any(|it| it.role.is_said_by(heading))
+            counts || self.needed.iter().any(|quantity| quantity.role.is_said_by(heading))
         };
         let candidate =
             (0..self.kinds.len()).filter(|&index| sheet.channels[index].count() == 0).find(is_needed);
@@ -73,7 +73,7 @@ impl RoleSearch<'_> {
     }
 
     fn names(&self) -> String {
-        let needed = self.needed.iter().filter(|it| it.only_named.is_none());
+        let needed = self.needed.iter().filter(|quantity| quantity.only_named.is_none());
         needed.map(|needed| needed.name).collect::<Vec<_>>().join(" and ")
     }
 
@@ -166,7 +166,7 @@ impl RoleSearch<'_> {
         let ratio = |row: usize| {
             let values: Vec<f64> = columns.iter().filter_map(|&column| number(column, row)).collect();
             let quotient = mean(values.iter().copied()) / number(other, row)?;
-            Some(quotient).filter(|it| it.is_finite())
+            Some(quotient).filter(|value| value.is_finite())
         };
         (0..sheet.rows()).filter_map(ratio).collect()
     }

@@ -10,7 +10,8 @@ impl RoleSearch<'_> {
     /// to that of the same name; `T uncertainty` to the only one of which it can be the symbol or the initial. Of two for one quantity the first is
     /// taken. Repeated readings have the uncertainty of their scatter.
     pub(super) fn assign_uncertainties(&mut self) -> Result<(), MeasurementError> {
-        let columns: Vec<usize> = (0..self.kinds.len()).filter(|&it| self.kind_of(it).is_some()).collect();
+        let columns: Vec<usize> =
+            (0..self.kinds.len()).filter(|&column| self.kind_of(column).is_some()).collect();
         let mut open = vec![];
         for column in columns {
             match self.value_of(column) {
@@ -74,7 +75,7 @@ impl RoleSearch<'_> {
     fn value_of(&self, column: usize) -> Option<usize> {
         let values = || {
             (0..self.kinds.len())
-                .filter(|&it| matches!(self.kinds[it], Kind::Values | Kind::Means | Kind::Squares))
+                .filter(|&index| matches!(self.kinds[index], Kind::Values | Kind::Means | Kind::Squares))
         };
         let heading = self.heading(column);
         let before = values().find(|value| value + 1 == column);
@@ -109,7 +110,8 @@ impl RoleSearch<'_> {
 
     /// The only assignment of these columns to different columns of readings; an error if there are several.
     fn by_symbols(&self, open: &[usize]) -> Result<Vec<(usize, usize)>, MeasurementError> {
-        let open: Vec<usize> = open.iter().copied().filter(|&it| !self.candidates(it).is_empty()).collect();
+        let open: Vec<usize> =
+            open.iter().copied().filter(|&column| !self.candidates(column).is_empty()).collect();
         let mut assignments: Vec<Vec<usize>> = vec![vec![]];
         for &column in &open {
             let longer = |taken: Vec<usize>| {

@@ -53,7 +53,7 @@ impl Circle {
         };
         [circle.x, circle.y, circle.radius, circle.radius_uncertainty]
             .iter()
-            .all(|it| it.is_finite())
+            .all(|value| value.is_finite())
             .then_some(circle)
     }
 

@@ -118,7 +118,7 @@ fn fitted(points: &[(f64, f64)]) -> Result<Circle, MeasurementError> {
 fn height(circle: &Circle, points: &[(f64, f64)]) -> f64 {
     let y_is_down = circle.y_is_down(points);
     let angles = points.iter().map(|&point| circle.angle_at(point, y_is_down));
-    let (low, high) =
-        angles.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), it| (low.min(it), high.max(it)));
+    let (low, high) = angles
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), angle| (low.min(angle), high.max(angle)));
     circle.radius * (1.0 - libm::cos(0.5 * (high - low)))
 }

@@ -327,7 +327,7 @@ fn numbered(sheet: &Sheet, numbering: usize) -> Result<Vec<(f64, Vec<usize>)>, M
         return Err(MeasurementError::TooMany {
             what: "runs",
             count: runs.len(),
-            place: location,
+            location,
             limit: MOST_RUNS,
         });
     }

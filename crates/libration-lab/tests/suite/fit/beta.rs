@@ -38,16 +38,16 @@ fn a_scale_is_suspected_up_to_a_fifth() {
 /// T0 and T0β without a correlation: β = 1.5 varies by both.
 #[test]
 fn the_quotient_has_the_covariance_of_the_line() {
-    let found = Beta::from_line(
+    let beta = Beta::from_line(
         &DVector::from_row_slice(&[2.0, 3.0]),
         &DMatrix::from_row_slice(2, 2, &[4e-6, 0.0, 0.0, 9e-6]),
         f64::INFINITY,
     );
     let variance: f64 = (9e-6 + 2.25 * 4e-6) / 4.0;
-    assert!((found.factor.value - 1.5).abs() < 1e-15);
-    assert!((found.factor.uncertainty - variance.sqrt()).abs() < 1e-15);
+    assert!((beta.factor.value - 1.5).abs() < 1e-15);
+    assert!((beta.factor.uncertainty - variance.sqrt()).abs() < 1e-15);
     let correlation = -1.5 * 4e-6 / 2.0 / (2e-3 * variance.sqrt());
-    assert!((found.correlation - correlation).abs() < 1e-12, "{found:?}");
+    assert!((beta.correlation - correlation).abs() < 1e-12, "{beta:?}");
 }
 
 /// Correlated errors of 4e-4 s and 0.04: (−0.5·3e-4·0.03 + 4e-4·0.04)/(5e-4·0.05).

@@ -15,8 +15,8 @@ fn groups(last: f64) -> Vec<GroupResult> {
     rows.map(group).to_vec()
 }
 
-fn close(found: f64, expected: f64) {
-    assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
+fn close(computed: f64, expected: f64) {
+    assert!((computed / expected - 1.0).abs() < 1e-12, "{computed} {expected}");
 }
 
 #[test]

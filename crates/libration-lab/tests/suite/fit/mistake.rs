@@ -42,8 +42,8 @@ fn uncertain_values_are_not_explained() {
 /// (30/29.97)² is 1.0020: identified only if g of the place is known.
 #[test]
 fn a_small_factor_needs_the_gravity_of_the_place() {
-    let found = Uncertain { value: 9.81 * 1.002003, uncertainty: 0.003 };
-    assert_eq!(GravityMistake::explaining(found, GravityMistake::anywhere_on_earth()), None);
+    let gravity = Uncertain { value: 9.81 * 1.002003, uncertainty: 0.003 };
+    assert_eq!(GravityMistake::explaining(gravity, GravityMistake::anywhere_on_earth()), None);
     let local = Uncertain { value: 9.81, uncertainty: 3e-4 };
-    assert_eq!(GravityMistake::explaining(found, local), Some(GravityMistake::FramesOf29As30));
+    assert_eq!(GravityMistake::explaining(gravity, local), Some(GravityMistake::FramesOf29As30));
 }

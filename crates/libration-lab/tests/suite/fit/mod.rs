@@ -320,7 +320,7 @@ fn a_table_too_poor_for_beta_may_still_give_t0() {
             .unwrap();
     let fit = fit_periods(&one, &[], &PeriodsOptions::default()).unwrap();
     assert_eq!((fit.exact.dof, fit.exact.chi2_per_dof()), (0, None));
-    assert!(matches!(fit.beta, Err(FitError::TooFewRows { found: 1, needed: 2, .. })));
+    assert!(matches!(fit.beta, Err(FitError::TooFewRows { rows: 1, needed: 2, .. })));
 
     let bare = PeriodTable::new(&[0.5], &[1.0], Uncertainties::default()).unwrap();
     assert!(matches!(
@@ -330,7 +330,7 @@ fn a_table_too_poor_for_beta_may_still_give_t0() {
     let empty = PeriodTable::new(&[], &[], Uncertainties::default()).unwrap();
     assert!(matches!(
         fit_periods(&empty, &[], &PeriodsOptions::default()),
-        Err(FitError::TooFewRows { found: 0, .. })
+        Err(FitError::TooFewRows { rows: 0, .. })
     ));
 }
 

@@ -10,8 +10,8 @@ fn readings(rows: &[&[f64]], step: f64) -> RepeatedReadings {
     RepeatedReadings::new(&rows, step).unwrap()
 }
 
-fn close(found: f64, expected: f64) {
-    assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
+fn close(computed: f64, expected: f64) {
+    assert!((computed / expected - 1.0).abs() < 1e-12, "{computed} {expected}");
 }
 
 const ALIKE: [&[f64]; 4] =
@@ -19,10 +19,10 @@ const ALIKE: [&[f64]; 4] =
 
 #[test]
 fn rows_that_scatter_alike_share_one_deviation() {
-    let found = readings(&ALIKE, 0.1);
-    close(found.deviation, 0.1957890020745114);
-    assert_eq!((found.degrees_of_freedom, found.rounding), (8, None));
-    for (row, mean) in found.rows.iter().zip([20.233333333333334, 22.23333333333333, 24.833333333333332]) {
+    let alike = readings(&ALIKE, 0.1);
+    close(alike.deviation, 0.1957890020745114);
+    assert_eq!((alike.degrees_of_freedom, alike.rounding), (8, None));
+    for (row, mean) in alike.rows.iter().zip([20.233333333333334, 22.23333333333333, 24.833333333333332]) {
         close(row.mean, mean);
         close(row.uncertainty, 0.1957890020745114 / 3.0_f64.sqrt());
     }
@@ -41,13 +41,13 @@ fn rows_that_scatter_alike_share_one_deviation() {
 fn a_blunder_is_named_and_its_row_counts_by_its_own_scatter() {
     let rows: [&[f64]; 4] =
         [&[1.00, 1.02, 0.99], &[1.41, 1.43, 1.40], &[1.73, 1.74, 2.30], &[2.00, 2.01, 1.98]];
-    let found = readings(&rows, 0.01);
-    assert_eq!(found.outliers, [(2, 2)]);
-    let unlike: Vec<bool> = found.rows.iter().map(|row| row.is_unlike).collect();
+    let readings = readings(&rows, 0.01);
+    assert_eq!(readings.outliers, [(2, 2)]);
+    let unlike: Vec<bool> = readings.rows.iter().map(|row| row.is_unlike).collect();
     assert_eq!(unlike, [false, false, true, false]);
-    assert_eq!((found.degrees_of_freedom, found.degrees_of_freedom_of(2)), (6, 2));
-    close(found.rows[2].mean, 5.77 / 3.0);
-    assert!(found.rows[2].uncertainty > 10.0 * found.rows[0].uncertainty);
+    assert_eq!((readings.degrees_of_freedom, readings.degrees_of_freedom_of(2)), (6, 2));
+    close(readings.rows[2].mean, 5.77 / 3.0);
+    assert!(readings.rows[2].uncertainty > 10.0 * readings.rows[0].uncertainty);
 }
 
 /// Four times the probability of the F test of line 3 (`scipy.stats`) is 0.016 in the first table and 2e-6 in the second, whose other rows differ
@@ -56,9 +56,9 @@ fn a_blunder_is_named_and_its_row_counts_by_its_own_scatter() {
 fn an_outlier_has_weights_of_its_own_only_where_it_alone_differs() {
     let first: [&[f64]; 2] = [&[1.00, 1.02, 0.99], &[1.41, 1.43, 1.40]];
     for last in [[&[1.73, 1.74, 1.84], &[2.00, 2.01, 1.98]], [&[1.73, 1.74, 4.30], &[2.00, 2.16, 1.90]]] {
-        let found = readings(&[first[0], first[1], last[0], last[1]], 0.01);
-        assert_eq!(found.outliers, [(2, 2)]);
-        assert!(found.differ && found.rows.iter().all(|row| !row.is_unlike), "{last:?}");
+        let readings = readings(&[first[0], first[1], last[0], last[1]], 0.01);
+        assert_eq!(readings.outliers, [(2, 2)]);
+        assert!(readings.differ && readings.rows.iter().all(|row| !row.is_unlike), "{last:?}");
     }
 }
 
@@ -76,11 +76,12 @@ fn rounding_counts_where_the_readings_scatter_less_and_is_not_divided() {
 /// All rows share one s: for any weights, u² is s² times a known number.
 #[test]
 fn a_sum_of_means_with_one_pooled_deviation_has_its_degrees_of_freedom() {
-    let found = readings(&ALIKE, 0.1);
+    let readings = readings(&ALIKE, 0.1);
     let c = [0.1, 0.5, 0.2, 0.7];
-    let total = c.iter().map(|c| c * c).sum::<f64>() * found.rows[0].uncertainty * found.rows[0].uncertainty;
-    close(effective_degrees_of_freedom(&found, &c, total), 8.0);
-    close(effective_degrees_of_freedom(&found, &c, 2.0 * total), 32.0);
+    let total =
+        c.iter().map(|c| c * c).sum::<f64>() * readings.rows[0].uncertainty * readings.rows[0].uncertainty;
+    close(effective_degrees_of_freedom(&readings, &c, total), 8.0);
+    close(effective_degrees_of_freedom(&readings, &c, 2.0 * total), 32.0);
 }
 
 fn table(periods: &RepeatedReadings) -> PeriodTable {
@@ -93,8 +94,8 @@ fn table(periods: &RepeatedReadings) -> PeriodTable {
 
 #[test]
 fn the_degrees_of_freedom_of_readings_are_those_of_t0() {
-    let found = readings(&[&[2.01, 2.03, 1.99], &[2.00, 2.04], &[1.98, 2.01, 2.03]], 0.01);
-    let fit = fit_periods(&table(&found), &[], &PeriodsOptions::default()).unwrap();
+    let readings = readings(&[&[2.01, 2.03, 1.99], &[2.00, 2.04], &[1.98, 2.01, 2.03]], 0.01);
+    let fit = fit_periods(&table(&readings), &[], &PeriodsOptions::default()).unwrap();
     let degrees = fit.exact.uncertainty_degrees_of_freedom();
     assert!((degrees - 5.0).abs() < 1e-9, "{degrees}");
     let stated = PeriodTable::new(
@@ -125,8 +126,8 @@ fn rows_that_scatter_less_than_their_rounding_are_as_uncertain_as_that() {
 #[test]
 fn rows_that_are_rounded_to_one_step_share_their_error() {
     let same = [vec![20.0, 20.0], vec![20.0, 20.0], vec![20.0, 20.0], vec![20.0, 20.0]];
-    let found = RepeatedReadings::new(&same, 0.1).unwrap();
-    let fit = fit_periods(&table(&found), &[], &PeriodsOptions::default()).unwrap();
+    let readings = RepeatedReadings::new(&same, 0.1).unwrap();
+    let fit = fit_periods(&table(&readings), &[], &PeriodsOptions::default()).unwrap();
     close(fit.exact.t0.uncertainty, 0.1 / 12.0_f64.sqrt() / 1.00000625003581);
     let others = [vec![20.0, 20.0], vec![20.1, 20.1], vec![19.9, 19.9], vec![20.2, 20.2]];
     close(shared_rounding(&RepeatedReadings::new(&others, 0.1).unwrap(), &[0.25; 4]) + 1.0, 1.0);
@@ -136,7 +137,7 @@ fn rows_that_are_rounded_to_one_step_share_their_error() {
 /// degrees of freedom of Welch and Satterthwaite, where T0 and g have the weights of the pooled variance.
 #[test]
 fn rows_that_scatter_differently_count_alike_and_have_their_own_variances() {
-    let found = readings(
+    let unlike = readings(
         &[
             &[2.01, 2.05, 1.99, 2.02],
             &[2.20, 1.80, 2.05, 2.11],
@@ -146,12 +147,12 @@ fn rows_that_scatter_differently_count_alike_and_have_their_own_variances() {
         ],
         0.001,
     );
-    assert!(found.differ && found.rows.iter().all(|row| !row.is_unlike));
-    let fit = fit_periods(&table(&found), &[], &PeriodsOptions::default()).unwrap().exact;
+    assert!(unlike.differ && unlike.rows.iter().all(|row| !row.is_unlike));
+    let fit = fit_periods(&table(&unlike), &[], &PeriodsOptions::default()).unwrap().exact;
     close(fit.t0.value * 1.00000625003581, 2.02075);
     close(fit.t0.uncertainty * 1.00000625003581, 0.018889481199863594);
     close(fit.uncertainty_degrees_of_freedom(), 4.307392802756754);
-    let found = readings(
+    let readings = readings(
         &[
             &[1.270992, 1.267992, 1.269992, 1.268992],
             &[1.534192, 1.584192, 1.564192, 1.544192],
@@ -162,17 +163,17 @@ fn rows_that_scatter_differently_count_alike_and_have_their_own_variances() {
         1e-6,
     );
     let [means, uncertainties] = [|row: &MeanReading| row.mean, |row: &MeanReading| row.uncertainty]
-        .map(|part| found.rows.iter().map(part).collect::<Vec<f64>>());
+        .map(|part| readings.rows.iter().map(part).collect::<Vec<f64>>());
     let columns = LengthColumns {
         lengths: &[0.4, 0.6, 0.8, 1.0, 1.2],
         periods: &means,
         period_uncertainties: Some(&uncertainties),
         ..LengthColumns::default()
     };
-    let of_lengths = LengthTable::new(&columns).unwrap().with_readings(found);
+    let of_lengths = LengthTable::new(&columns).unwrap().with_readings(readings);
     let fit = fit_lengths(&of_lengths, &LengthsOptions::default()).unwrap();
-    let near = |found: f64, expected: f64| {
-        assert!((found / expected - 1.0).abs() < 1e-9, "{found} {expected}");
+    let near = |computed: f64, expected: f64| {
+        assert!((computed / expected - 1.0).abs() < 1e-9, "{computed} {expected}");
     };
     near(fit.gravity().value, 9.824635639638036);
     near(fit.gravity().uncertainty, 0.11629480944025505);

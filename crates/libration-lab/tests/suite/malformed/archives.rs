@@ -47,15 +47,15 @@ fn large(count: u64) -> Vec<u8> {
     let mut entry = Packed { extra, ..table.clone() }.entry(u32::MAX);
     entry[20..28].fill(0xff);
     let files = table.local();
-    let place = files.len() as u64;
-    let end = place + entry.len() as u64;
+    let offset = files.len() as u64;
+    let end = offset + entry.len() as u64;
     let long = |numbers: &[u64]| numbers.iter().flat_map(|number| number.to_le_bytes()).collect::<Vec<u8>>();
     let record = [
         &b"PK\x06\x06"[..],
         &long(&[44])[..],
         &[45, 0, 45, 0],
         &[0; 8],
-        &long(&[count, count, entry.len() as u64, place]),
+        &long(&[count, count, entry.len() as u64, offset]),
     ];
     let locator = [&b"PK\x06\x07"[..], &[0; 4][..], &long(&[end]), &[1, 0, 0, 0]];
     let short = [&b"PK\x05\x06"[..], &[0; 4][..], &[0xff; 12], &[0; 2]];
@@ -94,13 +94,13 @@ fn refused() -> Vec<Case> {
         archive(&[changed])
     };
     vec![
-        Case::refused("with a password", with(&|it| it.flags = 1), &["Password required"]),
-        Case::refused("packed otherwise", with(&|it| it.method = 12), &["method not supported: 12"]),
-        Case::refused("a wrong checksum", with(&|it| it.checksum ^= 1), &["checksum"]),
-        Case::refused("a wrong size", with(&|it| it.size -= 1), &["size"]),
-        Case::refused("cut off within", with(&|it| it.bytes.truncate(20)), &["ZIP archive"]),
-        Case::refused("not packed at all", with(&|it| it.bytes.fill(0xff)), &["ZIP archive"]),
-        Case::refused("nothing packed", with(&|it| it.bytes.clear()), &["ZIP archive"]),
+        Case::refused("with a password", with(&|entry| entry.flags = 1), &["Password required"]),
+        Case::refused("packed otherwise", with(&|entry| entry.method = 12), &["method not supported: 12"]),
+        Case::refused("a wrong checksum", with(&|entry| entry.checksum ^= 1), &["checksum"]),
+        Case::refused("a wrong size", with(&|entry| entry.size -= 1), &["size"]),
+        Case::refused("cut off within", with(&|entry| entry.bytes.truncate(20)), &["ZIP archive"]),
+        Case::refused("not packed at all", with(&|entry| entry.bytes.fill(0xff)), &["ZIP archive"]),
+        Case::refused("nothing packed", with(&|entry| entry.bytes.clear()), &["ZIP archive"]),
     ]
 }
 
@@ -126,13 +126,13 @@ fn crowded() -> Vec<Case> {
 fn misplaced() -> Vec<Case> {
     let (table, picture) = (table(), Packed::stored("a.png", b"\x89PNG"));
     let files = [table.local(), picture.local()].concat();
-    let place = u32::try_from(table.local().len()).unwrap();
-    let directory = [table.entry(0), picture.entry(place)].concat();
+    let offset = u32::try_from(table.local().len()).unwrap();
+    let directory = [table.entry(0), picture.entry(offset)].concat();
     let counted = |count| with_directory(files.clone(), &directory, count);
     let placed =
-        |place: u32| with_directory(files.clone(), &[table.entry(0), picture.entry(place)].concat(), 2);
+        |start: u32| with_directory(files.clone(), &[table.entry(0), picture.entry(start)].concat(), 2);
     let beyond = Packed { bytes: vec![0; 5], size: 5, ..picture.clone() };
-    let beyond = with_directory(files.clone(), &[table.entry(0), beyond.entry(place)].concat(), 2);
+    let beyond = with_directory(files.clone(), &[table.entry(0), beyond.entry(offset)].concat(), 2);
     let same = Packed { name: b"b.png".to_vec(), ..table.clone() };
     let same = with_directory(files.clone(), &[table.entry(0), same.entry(0)].concat(), 2);
     vec![
@@ -141,7 +141,7 @@ fn misplaced() -> Vec<Case> {
         Case::refused("one more than it lists", counted(3), &["lists 2 files and not 3"]),
         Case::refused("two files in one place", same, &["overlap"]),
         Case::refused("a file that reaches into the directory", beyond, &["overlap"]),
-        Case::refused("no file where one is listed", placed(place - 1), &["ZIP archive"]),
+        Case::refused("no file where one is listed", placed(offset - 1), &["ZIP archive"]),
         Case::refused("a place beyond the end", placed(1 << 30), &["ZIP archive"]),
     ]
 }

@@ -37,20 +37,22 @@ impl Case {
 
     /// Description of the result, if it is not the expected one.
     fn complaint(&self) -> Option<String> {
-        let found = traces(&self.bytes);
-        let is_fine = match (&self.expected, &found) {
-            (Expected::Read(rows) | Expected::ReadOrRefused(rows), Ok(found)) => rows_of(found) == *rows,
+        let outcome = traces(&self.bytes);
+        let is_fine = match (&self.expected, &outcome) {
+            (Expected::Read(rows) | Expected::ReadOrRefused(rows), Ok(recording)) => {
+                rows_of(recording) == *rows
+            }
             (Expected::Refused(words), Err(error)) => {
                 words.iter().all(|word| error.to_string().contains(word))
             }
             (Expected::ReadOrRefused(_), Err(_)) => true,
             _ => false,
         };
-        let text = match found {
-            Ok(found) => format!(
+        let text = match outcome {
+            Ok(recording) => format!(
                 "read {:?} …, {:?}",
-                rows_of(&found).iter().take(3).collect::<Vec<_>>(),
-                found.findings
+                rows_of(&recording).iter().take(3).collect::<Vec<_>>(),
+                recording.findings
             ),
             Err(error) => error.to_string(),
         };

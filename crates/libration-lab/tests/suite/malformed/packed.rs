@@ -45,14 +45,14 @@ fn workbook_with(rows: &str, parts: &[(&str, &[u8])]) -> Vec<u8> {
         "<Relationships xmlns=\"{RELATIONS}\"><Relationship Id=\"rId1\" Type=\"{OFFICE}/worksheet\" Target=\"worksheets/sheet1.xml\"/></Relationships>"
     );
     let sheet = format!("<worksheet xmlns=\"{SPACE}\"><sheetData>{rows}</sheetData></worksheet>");
-    let own: [(&str, &[u8]); 5] = [
+    let required: [(&str, &[u8]); 5] = [
         ("[Content_Types].xml", types.as_bytes()),
         ("_rels/.rels", office.as_bytes()),
         ("xl/workbook.xml", book.as_bytes()),
         ("xl/_rels/workbook.xml.rels", relations.as_bytes()),
         ("xl/worksheets/sheet1.xml", sheet.as_bytes()),
     ];
-    archive(&[&own, parts].concat())
+    archive(&[&required, parts].concat())
 }
 
 /// A workbook with two styles: numbers, and times of day.

@@ -31,9 +31,9 @@ fn cells_with_units_are_read() {
 #[test]
 fn units_of_one_quantity_are_brought_to_one() {
     let mixed = table("L,T (s)\n10cm,635ms\n0.2m,0.897s\n400mm,1.269s\n").unwrap();
-    let found = numbers(&mixed).concat();
+    let computed = numbers(&mixed).concat();
     let truth = [10.0, 20.0, 40.0, 0.635, 0.897, 1.269];
-    assert!(found.iter().zip(truth).all(|(a, b)| (a / b - 1.0).abs() < 1e-15), "{found:?}");
+    assert!(computed.iter().zip(truth).all(|(a, b)| (a / b - 1.0).abs() < 1e-15), "{computed:?}");
 }
 
 #[test]

@@ -47,8 +47,8 @@ fn times_of_day_are_seconds() {
         (["2025-12-31T23:59:59Z", "2026-01-01T00:00:01Z"], 2.0),
         (["2025-03-30 10:00:00", "2025-03-31 10:00:00"], 86400.0),
     ] {
-        let found = second("t", &cells).unwrap();
-        assert_eq!(found[1] - found[0], difference, "{cells:?}");
+        let seconds = second("t", &cells).unwrap();
+        assert_eq!(seconds[1] - seconds[0], difference, "{cells:?}");
     }
     for cells in
         [["24:00:00", "24:00:01"], ["10:60:00", "10:61:00"], ["2025-13-01 10:00:00", "2025-13-01 10:00:01"]]

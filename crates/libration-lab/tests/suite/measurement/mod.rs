@@ -78,11 +78,11 @@ fn rows_without_a_number_are_dropped_and_counted() {
 
 #[test]
 fn complaints_name_the_line() {
-    let ragged = MeasurementError::Ragged { line: 5, found: 3, expected: 2 };
+    let ragged = MeasurementError::Ragged { line: 5, cells: 3, expected: 2 };
     assert_eq!(read("# c\nA,T\n1,2\n\n3,4,5\n").unwrap_err(), ragged);
     assert_eq!(
         read("A,T\n1,2\n3\n").unwrap_err(),
-        MeasurementError::Ragged { line: 3, found: 1, expected: 2 }
+        MeasurementError::Ragged { line: 3, cells: 1, expected: 2 }
     );
     let text = MeasurementError::NotANumber { line: 3, column: 2, cell: "two".into() };
     assert_eq!(first_two("A,T\n1,2\n3,two\n"), Err(text));
@@ -155,8 +155,8 @@ fn every_unit_is_turned_into_that_of_the_si() {
         ("in", 0.0762),
         ("px", 3.0),
     ] {
-        let found = unit.parse::<Unit>().unwrap().to_si(3.0);
-        assert!((found / expected - 1.0).abs() < 1e-15, "{unit}: {found} {expected}");
+        let computed = unit.parse::<Unit>().unwrap().to_si(3.0);
+        assert!((computed / expected - 1.0).abs() < 1e-15, "{unit}: {computed} {expected}");
     }
 }
 

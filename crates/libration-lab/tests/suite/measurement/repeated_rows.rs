@@ -10,8 +10,8 @@ fn readings(rows: &[&str]) -> Readings {
 
 /// The lines that are left, and the copies.
 fn once(rows: &[&str]) -> (Vec<u64>, Vec<RepeatedRows>) {
-    let (left, found) = readings(rows).once(None);
-    (left.lines, found)
+    let (left, repeated) = readings(rows).once(None);
+    (left.lines, repeated)
 }
 
 const ROWS: [&str; 4] = ["0.2,0.90", "0.3,1.10", "0.4,1.27", "0.5,1.42"];
@@ -45,8 +45,8 @@ fn readings_that_coincide_are_no_copies() {
         &["0.2,0.90", "0.3,1.10", "0.4,1.27", "0.2,0.90", "0.3,1.11", "0.4,1.27"],
         &["0.2,0.90", "0.3,1.10", "0.4,1.27", "0.4,1.27", "0.3,1.10", "0.2,0.90"],
     ] {
-        let (left, found) = once(rows);
-        assert_eq!((left.len(), found.len()), (rows.len(), 0), "{rows:?}");
+        let (left, repeated) = once(rows);
+        assert_eq!((left.len(), repeated.len()), (rows.len(), 0), "{rows:?}");
     }
 }
 
@@ -54,6 +54,6 @@ fn readings_that_coincide_are_no_copies() {
 fn rows_of_different_groups_are_different() {
     let twice = [ROWS, ROWS].concat();
     let labels: Vec<String> = ["A", "B"].iter().flat_map(|name| [*name; 4]).map(str::to_owned).collect();
-    let (left, found) = readings(&twice).once(Some(&labels));
-    assert_eq!((left.lines.len(), found.len()), (8, 0));
+    let (left, repeated) = readings(&twice).once(Some(&labels));
+    assert_eq!((left.lines.len(), repeated.len()), (8, 0));
 }

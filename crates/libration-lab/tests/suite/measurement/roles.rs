@@ -33,7 +33,7 @@ fn roles(table: &Table, needed: &[TableQuantity]) -> Result<TableRoles, Measurem
 }
 
 /// Columns of readings of both quantities, and columns of their uncertainties.
-fn found(table: &Table, needed: &[TableQuantity]) -> [(Vec<usize>, Option<usize>); 2] {
+fn columns(table: &Table, needed: &[TableQuantity]) -> [(Vec<usize>, Option<usize>); 2] {
     let roles = roles(table, needed).unwrap();
     [0, 1].map(|quantity| {
         let of = &roles.quantities[quantity];
@@ -73,7 +73,7 @@ fn uncertainties_go_with_the_values_that_their_headings_name() {
         ("Length (m),Period (s),L error,T error", [(1, Some(3)), (2, Some(4))]),
     ] {
         let expected = expected.map(|(value, of)| (vec![value], of));
-        assert_eq!(found(&of_header(header), &[LENGTH, PERIOD]), expected, "{header}");
+        assert_eq!(columns(&of_header(header), &[LENGTH, PERIOD]), expected, "{header}");
     }
 }
 
@@ -92,7 +92,7 @@ fn numbers_of_swings_may_be_halves_and_a_zero_among_them_is_no_reason_to_ignore_
 #[test]
 fn uncertainties_that_only_an_initial_names_are_given_where_one_assignment_is_left() {
     let both = of_header("Theta (rad),Period (s),T uncertainty,P uncertainty");
-    assert_eq!(found(&both, &[AMPLITUDE, PERIOD]), [(vec![1], Some(3)), (vec![2], Some(4))]);
+    assert_eq!(columns(&both, &[AMPLITUDE, PERIOD]), [(vec![1], Some(3)), (vec![2], Some(4))]);
     let refused =
         roles(&of_header("Theta (rad),Period (s),T uncertainty"), &[AMPLITUDE, PERIOD]).unwrap_err();
     let text = refused.to_string();
@@ -110,11 +110,11 @@ fn columns_of_one_name_and_different_numbers_are_repeated_readings() {
         "L (m),T_1 / s,T_2 / s,T_3 / s",
         "x,y1,y2,y3",
     ] {
-        assert_eq!(found(&of_header(header), &[LENGTH, PERIOD])[1].0, [2, 3, 4], "{header}");
+        assert_eq!(columns(&of_header(header), &[LENGTH, PERIOD])[1].0, [2, 3, 4], "{header}");
     }
     // Values that differ by more than half are other quantities.
     let unlike = read("L (m),t1 (s),t2 (s)\n0.25,1.0,10.1\n0.5,1.4,14.2\n");
-    assert_eq!(found(&unlike, &[LENGTH, PERIOD])[1].0, [2]);
+    assert_eq!(columns(&unlike, &[LENGTH, PERIOD])[1].0, [2]);
 }
 
 #[test]
@@ -154,7 +154,7 @@ fn words_numbers_of_rows_groups_and_swings_are_told_apart() {
     assert_eq!(roles.swings, Some(Column::Number(3)));
     assert_eq!(roles.unused, [Column::Number(1)]);
     let names = read("student,L (m),T (s)\nAnn,0.25,1.0\nBob,0.5,1.42\n");
-    assert_eq!(found(&names, &[LENGTH, PERIOD]), [(vec![2], None), (vec![3], None)]);
+    assert_eq!(columns(&names, &[LENGTH, PERIOD]), [(vec![2], None), (vec![3], None)]);
 }
 
 #[test]
@@ -292,7 +292,7 @@ fn headings_below_titles_have_their_units() {
         assert_eq!(table.names(), expected, "{header}");
     }
     let table = read(&format!("Length (cm),Period (s),,\n,Trial 1,Trial 2,Trial 3\n{rows}"));
-    let [(length, _), (period, _)] = found(&table, &[LENGTH, PERIOD]);
+    let [(length, _), (period, _)] = columns(&table, &[LENGTH, PERIOD]);
     assert_eq!((length, period), (vec![1], vec![2, 3, 4]));
 }
 
@@ -318,7 +318,7 @@ fn bounds_of_a_quantity_are_refused_with_both_choices() {
     }
     // One bound alone is a name like others.
     assert_eq!(
-        found(&of_header("theta_max (rad),T (s)"), &[AMPLITUDE, PERIOD]),
+        columns(&of_header("theta_max (rad),T (s)"), &[AMPLITUDE, PERIOD]),
         [(vec![1], None), (vec![2], None)]
     );
 }

@@ -18,8 +18,8 @@ fn dips(middles: &[f64], depth: f64, noise: f64, random: &mut Random) -> (Vec<f6
     (times, values)
 }
 
-fn middles(found: &SignalPassages) -> Vec<f64> {
-    found.passages.iter().map(|passage| f64::midpoint(passage.edges[0], passage.edges[1])).collect()
+fn middles(signal: &SignalPassages) -> Vec<f64> {
+    signal.passages.iter().map(|passage| f64::midpoint(passage.edges[0], passage.edges[1])).collect()
 }
 
 #[test]
@@ -77,17 +77,23 @@ fn cut_passages_gaps_and_wrong_rows_are_left_out() {
     let truth = [0.01, 2.0, 4.0, 6.0, 8.0, 19.98];
     let (mut times, mut values) = dips(&truth, 200.0, 1.0, &mut random);
     values[1234] = 10.0;
-    let found = SignalPassages::in_signal(&times, &values).unwrap();
-    let distance = |(found, truth): (&f64, &f64)| (found - truth).abs();
-    assert!(middles(&found).iter().zip(&truth[1..5]).map(distance).fold(0.0, f64::max) < 0.003, "{found:?}");
-    assert_eq!(found.passages.len(), 4);
+    let signal = SignalPassages::in_signal(&times, &values).unwrap();
+    let distance = |(middle, truth): (&f64, &f64)| (middle - truth).abs();
+    assert!(
+        middles(&signal).iter().zip(&truth[1..5]).map(distance).fold(0.0, f64::max) < 0.003,
+        "{signal:?}"
+    );
+    assert_eq!(signal.passages.len(), 4);
     // Rows are missing where the second one begins.
     let gap = 190..198;
     times.drain(gap.clone());
     values.drain(gap);
-    let found = SignalPassages::in_signal(&times, &values).unwrap();
-    assert!(middles(&found).iter().zip(&truth[2..5]).map(distance).fold(0.0, f64::max) < 0.003, "{found:?}");
-    assert_eq!(found.passages.len(), 3);
+    let signal = SignalPassages::in_signal(&times, &values).unwrap();
+    assert!(
+        middles(&signal).iter().zip(&truth[2..5]).map(distance).fold(0.0, f64::max) < 0.003,
+        "{signal:?}"
+    );
+    assert_eq!(signal.passages.len(), 3);
 }
 
 /// Peaks whose height falls with the swing keep their middles.
@@ -100,8 +106,8 @@ fn falling_peaks_keep_their_times() {
             (time, 9.81 + height * libm::cos(std::f64::consts::TAU * time / 0.981))
         })
         .unzip();
-    let found = SignalPassages::in_signal(&times, &values).unwrap();
-    let middles = middles(&found);
+    let signal = SignalPassages::in_signal(&times, &values).unwrap();
+    let middles = middles(&signal);
     assert!(middles.len() > 15, "{middles:?}");
     for pair in middles.windows(2) {
         assert!((pair[1] - pair[0] - 0.981).abs() < 2e-3, "{pair:?}");

@@ -32,16 +32,20 @@ fn linearised(model: Model, measured: &[(f64, f64)], parameters: &DVector<f64>) 
 fn check(dataset: &Dataset) {
     for start in dataset.starts {
         let evaluate = |parameters: &DVector<f64>| {
-            let found = linearised(dataset.model, &dataset.measured, parameters);
-            let finite = found.residuals.iter().chain(found.jacobian.iter()).all(|number| number.is_finite());
-            if finite { Ok(found) } else { Err(ResidualsError::OutOfDomain) }
+            let linearised = linearised(dataset.model, &dataset.measured, parameters);
+            let finite = linearised
+                .residuals
+                .iter()
+                .chain(linearised.jacobian.iter())
+                .all(|number| number.is_finite());
+            if finite { Ok(linearised) } else { Err(ResidualsError::OutOfDomain) }
         };
-        let found = minimum(DVector::from_row_slice(start), EFFORT, evaluate).unwrap();
-        assert!(found.converged, "{start:?}: {}", found.parameters);
-        for (parameter, certified) in found.parameters.iter().zip(dataset.certified) {
+        let minimum = minimum(DVector::from_row_slice(start), EFFORT, evaluate).unwrap();
+        assert!(minimum.converged, "{start:?}: {}", minimum.parameters);
+        for (parameter, certified) in minimum.parameters.iter().zip(dataset.certified) {
             assert!((parameter / certified - 1.0).abs() < 1e-7, "{start:?}: {parameter} is not {certified}");
         }
-        let sum = found.linearised.residuals.norm_squared();
+        let sum = minimum.linearised.residuals.norm_squared();
         assert!((sum / dataset.sum_of_squares - 1.0).abs() < 1e-9, "{start:?}: {sum}");
     }
 }
@@ -145,10 +149,10 @@ fn eckerle4() {
     check(&Dataset {
         measured: pairs(&x, &y),
         model: |b, x| {
-            let place = (x - b[2]) / b[1];
-            let shape = libm::exp(-0.5 * place * place) / b[1];
+            let distance = (x - b[2]) / b[1];
+            let shape = libm::exp(-0.5 * distance * distance) / b[1];
             let value = b[0] * shape;
-            (value, vec![shape, value * (place * place - 1.0) / b[1], value * place / b[1]])
+            (value, vec![shape, value * (distance * distance - 1.0) / b[1], value * distance / b[1]])
         },
         starts: [&[1.0, 10.0, 500.0], &[1.5, 5.0, 450.0]],
         certified: &[1.5543827178, 4.0888321754, 4.5154121844e2],
@@ -162,9 +166,9 @@ fn parameters_that_only_count_together_do_not_stop_the_search() {
     let points = [(1.0, 2.1), (2.0, 3.9), (3.0, 6.0), (4.0, 8.1)];
     let model: Model = |b, x| ((b[0] + b[1]) * x, vec![x, x]);
     let evaluate = |parameters: &DVector<f64>| Ok(linearised(model, &points, parameters));
-    let found = minimum(DVector::from_row_slice(&[5.0, -1.0]), EFFORT, evaluate).unwrap();
+    let minimum = minimum(DVector::from_row_slice(&[5.0, -1.0]), EFFORT, evaluate).unwrap();
     // (2.1 + 2·3.9 + 3·6 + 4·8.1)/30.
-    assert!(found.converged && (found.parameters.sum() - 2.01).abs() < 1e-12, "{}", found.parameters);
+    assert!(minimum.converged && (minimum.parameters.sum() - 2.01).abs() < 1e-12, "{}", minimum.parameters);
 }
 
 /// The logarithm of the parameter, to be 3: the first steps from far above lead below zero, where there is none.
@@ -182,7 +186,7 @@ fn the_search_turns_back_from_where_there_are_no_residuals() {
             jacobian: DMatrix::from_element(1, 1, 1.0 / parameters[0]),
         })
     };
-    let found = minimum(DVector::from_row_slice(&[1e3]), EFFORT, evaluate).unwrap();
-    assert!(found.converged && (found.parameters[0] / libm::exp(3.0) - 1.0).abs() < 1e-9);
+    let minimum = minimum(DVector::from_row_slice(&[1e3]), EFFORT, evaluate).unwrap();
+    assert!(minimum.converged && (minimum.parameters[0] / libm::exp(3.0) - 1.0).abs() < 1e-9);
     assert!(outside > 0);
 }

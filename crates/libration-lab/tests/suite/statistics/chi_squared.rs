@@ -16,8 +16,8 @@ fn the_tails_are_those_of_the_tables() {
         (3000.0, 1000, 1.64368458435695434e-198),
         (1e-3, 5, 0.999999998318512281),
     ] {
-        let found = probability_beyond(chi2, dof);
-        assert!((found - expected).abs() < 1e-12, "{chi2} {dof}: {found}");
+        let computed = probability_beyond(chi2, dof);
+        assert!((computed - expected).abs() < 1e-12, "{chi2} {dof}: {computed}");
     }
     assert!(probability_beyond(0.0, 3) >= 1.0);
 }

@@ -13,8 +13,8 @@ fn probabilities_agree_with_scipy() {
         (1.1, 200, 900, 0.18572545047810973),
         (12.0, 3, 2, 0.07789929041461294),
     ] {
-        let found: f64 = probability_beyond(ratio, above, below);
-        assert!((found - expected).abs() < 1e-12, "{ratio} {above} {below}: {found}");
+        let computed: f64 = probability_beyond(ratio, above, below);
+        assert!((computed - expected).abs() < 1e-12, "{ratio} {above} {below}: {computed}");
     }
     assert_eq!(probability_beyond(0.0, 3, 4), 1.0);
     // F and 1/F with the degrees of freedom exchanged.

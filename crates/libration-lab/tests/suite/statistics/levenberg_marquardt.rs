@@ -25,10 +25,10 @@ fn exponential(parameters: &DVector<f64>) -> Result<Linearised, ResidualsError> 
 
 #[test]
 fn the_parameters_of_exact_data_come_back() {
-    let found = minimum(DVector::from_row_slice(&[1.0, 4.9]), EFFORT, exponential).unwrap();
-    let [a, b] = [found.parameters[0], found.parameters[1]];
-    assert!((a - 3.0).abs() < 1e-9 && (b - 0.5).abs() < 1e-9 && found.converged, "{a} {b}");
-    assert!(found.linearised.residuals.norm() < 1e-9);
+    let minimum = minimum(DVector::from_row_slice(&[1.0, 4.9]), EFFORT, exponential).unwrap();
+    let [a, b] = [minimum.parameters[0], minimum.parameters[1]];
+    assert!((a - 3.0).abs() < 1e-9 && (b - 0.5).abs() < 1e-9 && minimum.converged, "{a} {b}");
+    assert!(minimum.linearised.residuals.norm() < 1e-9);
 }
 
 /// Rosenbrock's valley, from its usual start.
@@ -40,8 +40,8 @@ fn a_bent_valley_is_followed_to_its_end() {
             jacobian: DMatrix::from_row_slice(2, 2, &[-20.0 * p[0], 10.0, -1.0, 0.0]),
         })
     };
-    let found = minimum(DVector::from_row_slice(&[-1.2, 1.0]), EFFORT, valley).unwrap();
-    assert!(found.parameters.iter().all(|p| (p - 1.0).abs() < 1e-10), "{}", found.parameters);
+    let minimum = minimum(DVector::from_row_slice(&[-1.2, 1.0]), EFFORT, valley).unwrap();
+    assert!(minimum.parameters.iter().all(|p| (p - 1.0).abs() < 1e-10), "{}", minimum.parameters);
 }
 
 #[test]
@@ -68,7 +68,7 @@ fn outside_and_stopped_are_told_apart() {
 fn a_search_ends_where_nothing_is_promised() {
     let counted = |start: [f64; 2]| {
         let mut evaluations = 0;
-        let found = minimum(DVector::from_row_slice(&start), EFFORT, |line| {
+        let outcome = minimum(DVector::from_row_slice(&start), EFFORT, |line| {
             evaluations += 1;
             let values = [1.0, 3.0, 2.0, 4.0];
             let x = |i: usize| [-1.5, -0.5, 0.5, 1.5][i];
@@ -77,10 +77,10 @@ fn a_search_ends_where_nothing_is_promised() {
                 jacobian: DMatrix::from_fn(4, 2, |i, k| if k == 0 { 1.0 } else { x(i) }),
             })
         });
-        let found = found.unwrap();
+        let minimum = outcome.unwrap();
         // By hand: the mean, and (1.5·3 + 0.5·(−1))/5.
-        assert!((found.parameters[0] - 2.5).abs() < 1e-12 && (found.parameters[1] - 0.8).abs() < 1e-12);
-        assert!(found.converged);
+        assert!((minimum.parameters[0] - 2.5).abs() < 1e-12 && (minimum.parameters[1] - 0.8).abs() < 1e-12);
+        assert!(minimum.converged);
         evaluations
     };
     assert_eq!((counted([2.5, 0.8]), counted([2.0, 1.0])), (1, 2));

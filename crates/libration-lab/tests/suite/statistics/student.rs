@@ -17,8 +17,8 @@ fn quantiles_are_those_of_the_tables() {
         (f64::INFINITY, 1.959963984540054),
         (0.5, 12.7062047361747),
     ] {
-        let found = quantile(0.05, dof);
-        assert!((found / expected - 1.0).abs() < 1e-8, "{dof}: {found}");
+        let computed = quantile(0.05, dof);
+        assert!((computed / expected - 1.0).abs() < 1e-8, "{dof}: {computed}");
     }
 }
 
@@ -32,7 +32,7 @@ fn the_tails_are_those_of_the_tables() {
         (-3.0, 10, 0.01334365502256957),
         (4.0, 55, 0.00019078887405470378),
     ] {
-        let found = probability_beyond(t, dof);
-        assert!((found - expected).abs() < 1e-14, "{t} {dof}: {found}");
+        let computed = probability_beyond(t, dof);
+        assert!((computed - expected).abs() < 1e-14, "{t} {dof}: {computed}");
     }
 }

@@ -5,7 +5,7 @@ use libration_lab::fit::swings::{Advice, EndOfTrace, SwingsOptions};
 use libration_lab::fit::trace::TraceFit;
 use libration_lab::measurement::Observable;
 
-use super::{SWING, advice, changed, found, linear, of_length, trace, with_free_scale};
+use super::{SWING, advice, analysis, changed, linear, of_length, trace, with_free_scale};
 use crate::random::Random;
 use crate::synthetic_trace::Synthetic;
 
@@ -29,7 +29,8 @@ fn the_length_is_to_be_given_with_an_uncertainty_and_to_be_measured_better_where
 /// Relative uncertainties of the length at which it has just more, and just less, than half of the variance of gravity.
 #[test]
 fn half_of_the_variance_decides() {
-    let relative_of_period = { 2.0 * found(&[trace(&SWING)], &linear()).fit.small_angle_period().relative() };
+    let relative_of_period =
+        { 2.0 * analysis(&[trace(&SWING)], &linear()).fit.small_angle_period().relative() };
     // u(l)/l = 0.7·u(g)/g where u(l)/l is 0.7/√0.51 of the rest, if the period has all of it.
     let at_the_edge = 0.7 / 0.51_f64.sqrt() * relative_of_period;
     let told = |part: f64| has(&advice(&SWING, &of_length(1.09, Some(1.09 * part))), "measure_length_better");
@@ -40,7 +41,7 @@ fn half_of_the_variance_decides() {
 fn a_scale_is_to_be_checked_where_beta_is_in_doubt() {
     let quiet = Synthetic { noise: 3e-4, ..SWING };
     let scaled = |swing: &Synthetic, scale: f64, options| {
-        found(&[changed(&trace(swing), |_, time, value| (time, scale * value))], &options).advice
+        analysis(&[changed(&trace(swing), |_, time, value| (time, scale * value))], &options).advice
     };
     let told = scaled(&quiet, 1.1, linear());
     assert!(told.contains(&Advice::CheckScale { observable: Observable::Angle }), "{told:?}");
@@ -85,7 +86,7 @@ fn damping_that_is_left_open_wants_a_longer_recording() {
 fn residuals_with_a_pattern_are_to_be_looked_at() {
     let told = |size: f64| {
         let ripple = |_: usize, time: f64, angle: f64| (time, size.mul_add(libm::sin(1.1 * time), angle));
-        has(&found(&[changed(&trace(&SWING), ripple)], &linear()).advice, "look_at_residuals")
+        has(&analysis(&[changed(&trace(&SWING), ripple)], &linear()).advice, "look_at_residuals")
     };
     assert!(told(0.01) && !told(0.0002));
 }
@@ -97,7 +98,7 @@ fn outliers_at_an_end_are_to_be_left_out_and_others_to_be_corrected() {
         let swing = trace(&SWING);
         let last = swing.len() - rows;
         let value = |row: usize, time: f64, angle: f64| (time, if row >= last { angle + 0.3 } else { angle });
-        (swing.times()[last - 1], found(&[changed(&swing, value)], &linear()).advice)
+        (swing.times()[last - 1], analysis(&[changed(&swing, value)], &linear()).advice)
     };
     let (time, told) = held(3);
     let end = EndOfTrace::After { trace: "synthetic".to_owned(), time };
@@ -114,7 +115,7 @@ fn outliers_at_an_end_are_to_be_left_out_and_others_to_be_corrected() {
 fn rows_at_the_beginning_are_an_end_too() {
     let held = |row: usize, time: f64, angle: f64| (time, if row < 4 { angle + 0.3 } else { angle });
     let swing = trace(&SWING);
-    let told = found(&[changed(&swing, held)], &linear()).advice;
+    let told = analysis(&[changed(&swing, held)], &linear()).advice;
     let end = EndOfTrace::Before { trace: "synthetic".to_owned(), time: swing.times()[4] };
     assert!(told.contains(&Advice::LeaveOutEnds { ends: vec![end] }), "{told:?}");
 }
@@ -126,7 +127,7 @@ fn rounded_times_are_to_be_written_with_more_digits() {
         let rounded = |_: usize, time: f64, angle: f64| (step * libm::round(time / step), angle);
         // Rows that no step of the rounding divides.
         let swing = Synthetic { step: 0.0371, ..SWING };
-        found(&[changed(&trace(&swing), rounded)], &linear()).advice
+        analysis(&[changed(&trace(&swing), rounded)], &linear()).advice
     };
     let coarse = told(0.01);
     let Some(Advice::WriteMoreDigitsOfTimes { resolution, part }) =
@@ -164,7 +165,7 @@ fn fewer_than_fifteen_rows_in_a_period_are_few() {
 fn a_rival_that_adds_nothing_is_none_and_a_long_decay_is_long_enough() {
     for seed in 1..4 {
         let swing = Synthetic { rows: 800, linear: 0.1, ..SWING };
-        let fit = found(&[swing.trace(&mut Random::seeded(seed))], &SwingsOptions::default());
+        let fit = analysis(&[swing.trace(&mut Random::seeded(seed))], &SwingsOptions::default());
         let preferred = fit.fit.damping;
         for rival in fit.rivals() {
             let of = |fits: &[TraceFit]| fits.iter().find(|fit| fit.damping == rival).cloned().unwrap();

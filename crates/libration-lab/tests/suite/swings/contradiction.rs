@@ -5,7 +5,7 @@ use libration_lab::fit::swings::{FittedPendulum, Warning};
 use libration_lab::measurement::{Observable, Trace};
 use libration_testing::sweep::{self, Limits};
 
-use super::{SWING, changed, found, linear, of_length, trace};
+use super::{SWING, analysis, changed, linear, of_length, trace};
 use crate::random::Random;
 use crate::synthetic_trace::{Synthetic, normal};
 use libration::progress::Quiet;
@@ -26,7 +26,7 @@ fn drifting(ratio: f64) -> Trace {
 /// T0 falls from 0.7284 s by 2.4 %.
 #[test]
 fn a_period_that_drifts_is_in_the_uncertainty() {
-    let fit = found(&[drifting(1.0246)], &linear());
+    let fit = analysis(&[drifting(1.0246)], &linear());
     let t0 = fit.small_angle_period();
     assert!(t0.uncertainty > 0.002, "{t0}");
     assert!(matches!(fit.warnings[0], Warning::ModelRefuted(_)), "{:?}", fit.warnings);
@@ -36,13 +36,13 @@ fn a_period_that_drifts_is_in_the_uncertainty() {
 #[test]
 fn a_contradiction_is_a_row_of_the_budget_and_never_makes_less_uncertain() {
     let scaled = changed(&trace(&SWING), |_, time, angle| (time, 1.05 * angle));
-    let fit = found(&[scaled], &of_length(1.09, Some(0.001)));
+    let fit = analysis(&[scaled], &of_length(1.09, Some(0.001)));
     let FittedPendulum::Gravity { budget, .. } = &fit.pendulum else { panic!("no gravity") };
     let row = budget.rows.iter().find(|row| row.name == "model").unwrap();
     let model = fit.contradiction.as_ref().unwrap().uncertainty() / fit.small_angle_period().value;
     assert!((row.uncertainty.unwrap() / (2.0 * budget.g * model) - 1.0).abs() < 1e-3, "{row:?}");
     assert!(fit.small_angle_period().uncertainty > fit.fit.small_angle_period().uncertainty);
-    let plain = found(&[trace(&SWING)], &of_length(1.09, Some(0.001)));
+    let plain = analysis(&[trace(&SWING)], &of_length(1.09, Some(0.001)));
     assert_eq!(plain.contradiction, None);
     let FittedPendulum::Gravity { budget, .. } = &plain.pendulum else { panic!("no gravity") };
     assert!(budget.rows.iter().all(|row| row.name != "model"));
@@ -58,7 +58,7 @@ fn wrong_scales_are_in_the_uncertainty_in_a_sweep() {
     let limits = Limits { usual: 2.0..8.5, full: 41.0..60.5, own: 54.0..60.5 };
     let number = sweep::number(8, 60);
     let mut near = 0;
-    for place in 0..number {
+    for draw in 0..number {
         let swing = Synthetic {
             amplitude: random.between(0.15, 1.2),
             omega0: random.between(2.0, 9.0),
@@ -67,9 +67,9 @@ fn wrong_scales_are_in_the_uncertainty_in_a_sweep() {
             rows: 1500,
             ..SWING
         };
-        let part = random.between(0.01, 0.03) * if place % 2 == 0 { 1.0 } else { -1.0 };
+        let part = random.between(0.01, 0.03) * if draw % 2 == 0 { 1.0 } else { -1.0 };
         let scaled = changed(&swing.trace(&mut random), |_, time, angle| (time, (1.0 + part) * angle));
-        let fit = found(&[scaled], &linear());
+        let fit = analysis(&[scaled], &linear());
         let z = fit.small_angle_period().deviation_from(swing.t0());
         let by_rows = fit.fit.small_angle_period();
         assert!(fit.small_angle_period().uncertainty >= by_rows.uncertainty);
@@ -85,7 +85,7 @@ fn wrong_scales_are_in_the_uncertainty_in_a_sweep() {
 #[test]
 fn runs_that_contradict_each_other_are_in_the_uncertainty() {
     let [one, other] = [3.0, 3.0075].map(|omega0| trace(&Synthetic { omega0, ..SWING }));
-    let fit = found(&[one, other], &linear());
+    let fit = analysis(&[one, other], &linear());
     let t0 = fit.small_angle_period();
     assert!(t0.uncertainty > 0.0025 * t0.value / 3.0, "{t0}");
     assert!(matches!(fit.warnings[0], Warning::ModelRefuted(_)), "{:?}", fit.warnings);
@@ -95,7 +95,7 @@ fn runs_that_contradict_each_other_are_in_the_uncertainty() {
 fn degrees_called_radians_are_told_first() {
     let small = Synthetic { amplitude: 0.05, noise: 1e-5, rows: 1500, ..SWING };
     let called = changed(&trace(&small), |_, time, angle| (time, angle.to_degrees()));
-    let said = found(&[called], &linear()).warnings;
+    let said = analysis(&[called], &linear()).warnings;
     assert!(matches!(said[0], Warning::AnglesAreDegrees { .. } | Warning::PoorFit { .. }), "{said:?}");
-    assert!(said.iter().any(|it| matches!(it, Warning::AnglesAreDegrees { .. })), "{said:?}");
+    assert!(said.iter().any(|warning| matches!(warning, Warning::AnglesAreDegrees { .. })), "{said:?}");
 }

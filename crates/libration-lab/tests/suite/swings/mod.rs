@@ -47,21 +47,21 @@ fn of_length(length: f64, uncertainty: Option<f64>) -> SwingsOptions<'static> {
 }
 
 /// The result, whose texts name no option of a command.
-fn found(traces: &[Trace], options: &SwingsOptions<'_>) -> SwingsFit {
-    let found = fit_swings(traces, options, &Quiet).unwrap();
-    let words = found.warnings.iter().map(ToString::to_string);
-    for text in words.chain(found.advice.iter().map(ToString::to_string)) {
+fn analysis(traces: &[Trace], options: &SwingsOptions<'_>) -> SwingsFit {
+    let fit = fit_swings(traces, options, &Quiet).unwrap();
+    let words = fit.warnings.iter().map(ToString::to_string);
+    for text in words.chain(fit.advice.iter().map(ToString::to_string)) {
         assert!(!text.contains("--"), "{text}");
     }
-    found
+    fit
 }
 
 fn warnings(swing: &Synthetic, options: &SwingsOptions<'_>) -> Vec<Warning> {
-    found(&[trace(swing)], options).warnings
+    analysis(&[trace(swing)], options).warnings
 }
 
 fn advice(swing: &Synthetic, options: &SwingsOptions<'_>) -> Vec<Advice> {
-    found(&[trace(swing)], options).advice
+    analysis(&[trace(swing)], options).advice
 }
 
 /// The warning of this name.
@@ -71,10 +71,10 @@ fn named<'a>(warnings: &'a [Warning], name: &str) -> Option<&'a Warning> {
 
 #[test]
 fn a_good_measurement_is_not_doubted_and_wants_nothing_but_a_length() {
-    let found = found(&[trace(&SWING)], &linear());
-    assert_eq!(found.warnings, []);
-    assert_eq!(found.advice, [Advice::GiveLength]);
-    assert_eq!(found.advice[0].name(), "give_length");
+    let fit = analysis(&[trace(&SWING)], &linear());
+    assert_eq!(fit.warnings, []);
+    assert_eq!(fit.advice, [Advice::GiveLength]);
+    assert_eq!(fit.advice[0].name(), "give_length");
 }
 
 /// Observable as angular velocities, from 3·2 sin 30° rad/s on.
@@ -99,8 +99,8 @@ fn swings_stop_at_any_question() {
     assert!(whole.is_ok() && questions > 3);
     // The last one is before the cycles.
     for n in [1, 2, questions / 2, questions - 1, questions] {
-        let (found, asked) = stopped_at(n);
-        let is_interrupted = matches!(found, Err(SwingsError::Motion(TraceFitError::Interrupted)));
+        let (outcome, asked) = stopped_at(n);
+        let is_interrupted = matches!(outcome, Err(SwingsError::Motion(TraceFitError::Interrupted)));
         assert!(is_interrupted && asked == n, "question {n} of {questions}: {asked}");
     }
 }

@@ -3,7 +3,7 @@
 use libration_lab::fit::swings::SwingsOptions;
 use libration_testing::sweep::{self, Limits};
 
-use super::{SWING, found, named};
+use super::{SWING, analysis, named};
 use crate::random::Random;
 use crate::synthetic_trace::Synthetic;
 
@@ -15,7 +15,7 @@ fn clean_traces_tell_their_damping_in_a_sweep() {
     let mut random = Random::seeded(sweep::seed(0x5e9a));
     let number = sweep::number(24, 240);
     let mut alarms = 0;
-    for place in 0..number {
+    for draw in 0..number {
         let amplitude = random.between(0.35, 1.6);
         let omega0 = random.between(2.0, 8.0);
         let left = random.between(0.3, 0.7);
@@ -29,7 +29,7 @@ fn clean_traces_tell_their_damping_in_a_sweep() {
             noise: random.between(0.0005, 0.005),
             ..SWING
         };
-        let swing = match place % 3 {
+        let swing = match draw % 3 {
             0 => Synthetic { linear: -2.0 * libm::log(left) / duration, ..still },
             1 => Synthetic {
                 dry: (1.0 - left) * amplitude * 0.5 * std::f64::consts::PI * omega0 / duration,
@@ -40,9 +40,9 @@ fn clean_traces_tell_their_damping_in_a_sweep() {
                 ..still
             },
         };
-        let fit = found(&[swing.trace(&mut random)], &SwingsOptions::default());
+        let fit = analysis(&[swing.trace(&mut random)], &SwingsOptions::default());
         let alarm = named(&fit.warnings, "damping_not_separated");
-        eprintln!("{place} {:?} {alarm:?}", fit.fit.damping);
+        eprintln!("{draw} {:?} {alarm:?}", fit.fit.damping);
         alarms += u32::from(alarm.is_some());
     }
     Limits { usual: 0.0..14.5, full: 0.0..65.5, own: 0.0..36.5 }.check(f64::from(alarms), "not separated");

@@ -6,7 +6,7 @@ use libration_lab::fit::cycles::{CyclesError, CyclesWarning};
 use libration_lab::fit::swings::{SwingsOptions, Warning};
 use libration_lab::measurement::Trace;
 
-use super::{SWING, changed, found, linear, named, of_length, trace, warnings, with_free_scale};
+use super::{SWING, analysis, changed, linear, named, of_length, trace, warnings, with_free_scale};
 use crate::synthetic_trace::Synthetic;
 
 /// At 3° no error distinguishes an angle that is read too small from a small one.
@@ -21,7 +21,7 @@ fn a_search_without_an_end_is_told() {
 fn radians_called_degrees_are_told_first() {
     let quiet = Synthetic { noise: 3e-4, ..SWING };
     let called = changed(&trace(&quiet), |_, time, angle| (time, angle.to_radians()));
-    let said = found(&[called], &linear()).warnings;
+    let said = analysis(&[called], &linear()).warnings;
     let Warning::AnglesAreRadians { beta } = said[0] else { panic!("{said:?}") };
     // 3283 of small angles; R − 1 grows faster than the square.
     assert!((3283.0..4000.0).contains(&beta), "{beta}");
@@ -87,7 +87,7 @@ fn a_better_model_with_a_negative_coefficient_is_not_believed() {
 #[test]
 fn kinds_of_damping_that_a_short_swing_leaves_are_listed() {
     let short = Synthetic { rows: 125, ..SWING };
-    let said = found(&[trace(&short)], &SwingsOptions::default());
+    let said = analysis(&[trace(&short)], &SwingsOptions::default());
     let Some(Warning::DampingNotSeparated { preferred, rivals }) =
         named(&said.warnings, "damping_not_separated")
     else {
@@ -102,7 +102,7 @@ fn kinds_of_damping_that_a_short_swing_leaves_are_listed() {
 fn a_pattern_in_the_residuals_is_no_noise() {
     let with_ripple = |size: f64| {
         let ripple = |_: usize, time: f64, angle: f64| (time, size.mul_add(libm::sin(1.1 * time), angle));
-        found(&[changed(&trace(&SWING), ripple)], &linear()).warnings
+        analysis(&[changed(&trace(&SWING), ripple)], &linear()).warnings
     };
     let Some(Warning::ResidualsNotNoise { rows, .. }) =
         named(&with_ripple(0.01), "residuals_not_noise").cloned()
@@ -122,7 +122,7 @@ fn stated_uncertainties_are_compared_with_the_scatter() {
         let columns = [swing.times(), swing.values()].map(<[f64]>::to_vec);
         let [times, values] = columns;
         let stated = Trace::new("stated", swing.observable(), times, values, Some(uncertainties)).unwrap();
-        named(&found(&[stated], &linear()).warnings, "stated_uncertainties").map(ToString::to_string)
+        named(&analysis(&[stated], &linear()).warnings, "stated_uncertainties").map(ToString::to_string)
     };
     assert!(stated(1.65).unwrap().contains("too small"));
     assert!(stated(0.6).unwrap().contains("too large"));
@@ -133,7 +133,7 @@ fn stated_uncertainties_are_compared_with_the_scatter() {
 fn strong_damping_takes_the_place_of_what_beta_would_say() {
     let damped = |linear: f64, scale: f64| {
         let swing = trace(&Synthetic { linear, amplitude: 2.1, rows: 300, noise: 2e-4, ..SWING });
-        found(&[changed(&swing, |_, time, angle| (time, scale * angle))], &super::linear()).warnings
+        analysis(&[changed(&swing, |_, time, angle| (time, scale * angle))], &super::linear()).warnings
     };
     let strong = damped(0.5, 1.1);
     let Some(Warning::StrongDamping { fall }) = named(&strong, "strong_damping") else {
@@ -153,7 +153,7 @@ fn strong_damping_takes_the_place_of_what_beta_would_say() {
 fn a_beta_that_is_not_one_points_to_the_scale_where_that_can_be() {
     let scaled = |scale: f64, options| {
         let quiet = Synthetic { noise: 3e-4, ..SWING };
-        found(&[changed(&trace(&quiet), |_, time, angle| (time, scale * angle))], &options).warnings
+        analysis(&[changed(&trace(&quiet), |_, time, angle| (time, scale * angle))], &options).warnings
     };
     let Some(Warning::BetaNotOne { scale_error: Some(part), deviation, .. }) =
         named(&scaled(1.1, linear()), "beta_not_one").cloned()
@@ -171,7 +171,7 @@ fn a_beta_that_is_not_one_points_to_the_scale_where_that_can_be() {
 fn no_scale_explains_a_period_that_changes_in_time() {
     let small = Synthetic { amplitude: 0.3, linear: 0.06, noise: 1e-4, ..SWING };
     let drifting = changed(&trace(&small), |_, time, angle| (time - 5e-4 * time * time, angle));
-    let said = found(&[drifting], &linear()).warnings;
+    let said = analysis(&[drifting], &linear()).warnings;
     let Some(doubt @ Warning::BetaNotOne { scale_error: None, .. }) = named(&said, "beta_not_one") else {
         panic!("{said:?}")
     };
@@ -183,7 +183,7 @@ fn no_scale_explains_a_period_that_changes_in_time() {
 fn a_motion_that_disagrees_with_its_cycles_is_told() {
     let stopped = |pause: f64| {
         let late = |row: usize, time: f64, angle: f64| (if row < 175 { time } else { time + pause }, angle);
-        found(&[changed(&trace(&Synthetic { noise: 1e-3, ..SWING }), late)], &linear()).warnings
+        analysis(&[changed(&trace(&Synthetic { noise: 1e-3, ..SWING }), late)], &linear()).warnings
     };
     let said = stopped(0.02);
     let Some(Warning::PeriodsDisagree { by_cycles, by_motion, deviation }) = named(&said, "periods_disagree")
@@ -199,7 +199,7 @@ fn a_motion_that_disagrees_with_its_cycles_is_told() {
 fn two_pendulums_are_told_apart_beyond_a_hundredth() {
     let with = |omega0: f64| {
         let other = trace(&Synthetic { omega0, amplitude: 0.7, ..SWING }).named("other");
-        found(&[trace(&SWING).named("one"), other], &linear()).warnings
+        analysis(&[trace(&SWING).named("one"), other], &linear()).warnings
     };
     let said = with(2.95);
     let Some(Warning::DifferentPendulums { shortest, longest }) = named(&said, "different_pendulums") else {
@@ -215,7 +215,7 @@ fn two_pendulums_are_told_apart_beyond_a_hundredth() {
 fn a_length_that_no_pendulum_has_is_told() {
     let said = |omega0: f64| {
         let faster = |_: usize, time: f64, angle: f64| (3.0 / omega0 * time, angle);
-        found(&[changed(&trace(&SWING), faster)], &linear()).warnings
+        analysis(&[changed(&trace(&SWING), faster)], &linear()).warnings
     };
     let Some(Warning::ImplausibleLength { length }) = named(&said(31.4), "implausible_length").cloned()
     else {
@@ -233,7 +233,7 @@ fn rows_far_from_the_motion_are_counted() {
     let said = |beyond: f64| {
         let stray =
             |row: usize, time: f64, angle: f64| (time, if row == 200 { angle + beyond } else { angle });
-        let warnings = found(&[changed(&trace(&SWING), stray)], &linear()).warnings;
+        let warnings = analysis(&[changed(&trace(&SWING), stray)], &linear()).warnings;
         named(&warnings, "outliers").map(ToString::to_string)
     };
     assert!(said(0.05).unwrap().starts_with("1 row is an outlier"));
@@ -245,7 +245,7 @@ fn what_cycles_say_bears_the_name_of_the_trace_where_there_are_several() {
     let whole = trace(&SWING);
     let gap = whole.only(|row| !(150..200).contains(&row)).unwrap().named("gap");
     let short = trace(&Synthetic { step: 0.01, rows: 190, ..SWING }).named("short");
-    let alone = found(std::slice::from_ref(&gap), &linear()).warnings;
+    let alone = analysis(std::slice::from_ref(&gap), &linear()).warnings;
     assert!(
         matches!(
             named(&alone, "cycles"),
@@ -253,7 +253,7 @@ fn what_cycles_say_bears_the_name_of_the_trace_where_there_are_several() {
         ),
         "{alone:?}"
     );
-    let together = found(&[whole, gap, short], &linear()).warnings;
+    let together = analysis(&[whole, gap, short], &linear()).warnings;
     let texts: Vec<String> = together.iter().map(ToString::to_string).collect();
     assert!(texts.iter().any(|text| text.starts_with("cycles of gap: left out as incomplete")), "{texts:?}");
     let none = together.iter().find(|warning| matches!(warning, Warning::NoCycles { .. })).unwrap();

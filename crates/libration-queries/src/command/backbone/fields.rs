@@ -175,8 +175,8 @@ fn enclosing(point: &Point<'_>) -> Option<String> {
 
 /// The distance of the series from the exact value, or else from the orbit.
 fn error(point: &Point<'_>) -> String {
-    let orbit = point.orbit().map(|it| (it.frequency, it.uncertainty));
-    let best = point.exact().map(|it| (it.value, it.uncertainty)).or(orbit);
+    let orbit = point.orbit().map(|orbit| (orbit.frequency, orbit.uncertainty));
+    let best = point.exact().map(|exact| (exact.value, exact.uncertainty)).or(orbit);
     match (&point.point.series, best) {
         (Some(series), Some((value, uncertainty))) if (series.frequency - value).abs() <= uncertainty => {
             format!("below {}", at_most(uncertainty))

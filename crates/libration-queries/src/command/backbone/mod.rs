@@ -99,8 +99,8 @@ impl Backbone {
         let answer = Arc::new(self.computed()?);
         let mut interruption = answer.interruption();
         if self.figure.is_none() {
-            let own = Arc::clone(&answer);
-            figure::data::pass(&self.layout, move || own.picture().0);
+            let passed = Arc::clone(&answer);
+            figure::data::pass(&self.layout, move || passed.picture().0);
         }
         let drawn = match &self.figure {
             Some(path) => {

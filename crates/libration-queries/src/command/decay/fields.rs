@@ -75,37 +75,37 @@ pub(super) fn of_decay<'a>() -> Fields<Found<'a>> {
             "sticking_amplitude_rad",
             "rad",
             "largest amplitude at which dry friction holds the pendulum",
-            |it| it.decay.sticking_amplitude(),
+            |answer| answer.decay.sticking_amplitude(),
         ),
-        Of::number("quality", "1", QUALITY, |it| it.quality()),
+        Of::number("quality", "1", QUALITY, |answer| answer.quality()),
         Of::value(
             "ending",
             "",
             "reason why the swings end: sticks, vanishes or creeps; null where they go on",
-            |it| match it.report.ending {
+            |answer| match answer.report.ending {
                 None => Value::Null,
                 Some(DecayEnding::Sticks | DecayEnding::StopsOnTheWay { .. }) => "sticks".into(),
                 Some(DecayEnding::Vanishes) => "vanishes".into(),
                 Some(_) => "creeps".into(),
             },
         ),
-        Of::number("rest_time_s", "s", "time at which dry friction stops the pendulum, or null", |it| {
-            it.report.rest().map_or(f64::NAN, |(time, _)| time)
+        Of::number("rest_time_s", "s", "time at which dry friction stops the pendulum, or null", |answer| {
+            answer.report.rest().map_or(f64::NAN, |(time, _)| time)
         }),
-        Of::number("rest_angle_rad", "rad", "distance from the bottom at which it does, or null", |it| {
-            it.report.rest().map_or(f64::NAN, |(_, angle)| angle)
+        Of::number("rest_angle_rad", "rad", "distance from the bottom at which it does, or null", |answer| {
+            answer.report.rest().map_or(f64::NAN, |(_, angle)| angle)
         }),
         Of::number(
             "largest_error_averaged_rad",
             "rad",
             "largest error of the averaged law at a turning point",
-            |it| it.report.largest_error(|turn| turn.averaged).0,
+            |answer| answer.report.largest_error(|turn| turn.averaged).0,
         ),
         Of::number(
             "largest_error_small_amplitude_rad",
             "rad",
             "largest error of the law of small amplitudes at a turning point",
-            |it| it.report.largest_error(|turn| turn.small).0,
+            |answer| answer.report.largest_error(|turn| turn.small).0,
         ),
     ])
 }

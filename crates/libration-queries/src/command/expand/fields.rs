@@ -41,14 +41,14 @@ pub(super) struct SeriesCoefficient<'a> {
 pub(super) fn of_expansion<C: series::Coefficient>() -> Fields<ExpandResult<C>> {
     type Of<C> = Field<ExpandResult<C>>;
     let letters = Fields::from([
-        Of::<C>::value("letters[]", "", "symbolic parameters, which appear in the coefficients", |it| {
-            it.letters.as_ref().map_or(vec![], |letters| letters.names.clone()).into()
+        Of::<C>::value("letters[]", "", "symbolic parameters, which appear in the coefficients", |answer| {
+            answer.letters.as_ref().map_or(vec![], |letters| letters.names.clone()).into()
         }),
         Of::<C>::present_value(
             "constants.NAME",
             "",
             "with symbols: the constant that this name stands for in the coefficients",
-            |it| Some(json::object(it.letters.as_ref()?.explained().cloned())),
+            |answer| Some(json::object(answer.letters.as_ref()?.explained().cloned())),
         ),
     ]);
     of_subject().and(letters).and(of_setting()).and(of_series())
@@ -58,52 +58,54 @@ pub(super) fn of_expansion<C: series::Coefficient>() -> Fields<ExpandResult<C>> 
 fn of_setting<C: series::Coefficient>() -> Fields<ExpandResult<C>> {
     type Of<C> = Field<ExpandResult<C>>;
     Fields::from([
-        Of::<C>::value("order", "1", "highest power of the expansion", |it| it.expansion.order.into()),
+        Of::<C>::value("order", "1", "highest power of the expansion", |answer| {
+            answer.expansion.order.into()
+        }),
         Of::<C>::value(
             "gauge",
             "",
             "meaning of the expansion parameter, null for the strength of a self-excited oscillator",
-            |it| match &it.expansion.variable {
+            |answer| match &answer.expansion.variable {
                 ExpansionVariable::Epsilon(gauge) => gauge.to_string().into(),
                 ExpansionVariable::Parameter(_) => Value::Null,
             },
         ),
-        Of::<C>::value("variable", "", "name of the expansion parameter", |it| {
-            it.expansion.variable.name().into()
+        Of::<C>::value("variable", "", "name of the expansion parameter", |answer| {
+            answer.expansion.variable.name().into()
         }),
         Of::<C>::value(
             "phase_origin",
             "",
             "point where the phase τ is zero: at the upper `turning point`, at a `passage` upward through the equilibrium, or where the `first \
              harmonic` has its maximum",
-            |it| phase_origin(it.expansion.phase_origin).into(),
+            |answer| phase_origin(answer.expansion.phase_origin).into(),
         ),
         Of::<C>::value(
             "precision",
             "",
             "`exact`, or the number of digits to which the coefficients are known",
-            |it| precision(it.expansion.precision).into(),
+            |answer| precision(answer.expansion.precision).into(),
         ),
-        Of::<C>::value("equilibrium", "", "equilibrium x₀ about which it oscillates", |it| {
-            text(&it.expansion, &it.expansion.equilibrium).into()
+        Of::<C>::value("equilibrium", "", "equilibrium x₀ about which it oscillates", |answer| {
+            text(&answer.expansion, &answer.expansion.equilibrium).into()
         }),
         Of::<C>::value(
             "omega0_squared",
             "",
             "square of the angular frequency ω0 of small oscillations",
-            |it| text(&it.expansion, &it.expansion.omega0_squared).into(),
+            |answer| text(&answer.expansion, &answer.expansion.omega0_squared).into(),
         ),
         Of::<C>::present_value(
             "omega0",
             "",
             "with symbols: the frequency ω0 of small oscillations, for positive symbols",
-            |it| it.letters.as_ref().map(|letters| letters.omega0.clone().into()),
+            |answer| answer.letters.as_ref().map(|letters| letters.omega0.clone().into()),
         ),
         Of::<C>::present_value(
             "omega0_name",
             "",
             "with symbols: the name that stands for ω0 in coefficients, null where none does",
-            |it| it.letters.as_ref().map(|letters| letters.omega0_name.clone().into()),
+            |answer| answer.letters.as_ref().map(|letters| letters.omega0_name.clone().into()),
         ),
     ])
 }
@@ -115,9 +117,10 @@ fn of_series<C: series::Coefficient>() -> Fields<ExpandResult<C>> {
             "angular_frequency[]",
             "",
             "with symbols, where ω0 is a product of them: coefficients of the frequency itself",
-            |it| {
+            |answer| {
                 Some(
-                    it.letters
+                    answer
+                        .letters
                         .as_ref()?
                         .frequency
                         .as_ref()?
@@ -132,51 +135,53 @@ fn of_series<C: series::Coefficient>() -> Fields<ExpandResult<C>> {
             "frequency_ratio[]",
             "",
             "coefficients of the frequency over ω0, by powers of the expansion parameter",
-            |it| texts(&it.expansion, &it.expansion.frequency_ratio).into(),
+            |answer| texts(&answer.expansion, &answer.expansion.frequency_ratio).into(),
         ),
         Of::<C>::nested(
             "harmonics.K.",
             &of_harmonic(
                 "coefficients of cos Kτ in the displacement, by powers of the expansion parameter; τ = Ωt",
             ),
-            |it| by_number(&harmonics(&it.expansion)),
+            |answer| by_number(&harmonics(&answer.expansion)),
         ),
         Of::<C>::value(
             "has_all_harmonics",
             "",
             "true if harmonics that are not given begin at higher powers; false where the force has two sides, and there are harmonics without end",
-            |it| it.expansion.has_all_harmonics.into(),
+            |answer| answer.expansion.has_all_harmonics.into(),
         ),
         Of::<C>::value(
             "unit_squared",
             "",
             "square of the unit that harmonics and turning points are measured in",
-            |it| text(&it.expansion, &it.expansion.unit_squared).into(),
+            |answer| text(&answer.expansion, &answer.expansion.unit_squared).into(),
         ),
-        Of::<C>::value("x_max[]", "", "coefficients of the upper turning point", |it| {
-            texts(&it.expansion, &it.expansion.x_max).into()
+        Of::<C>::value("x_max[]", "", "coefficients of the upper turning point", |answer| {
+            texts(&answer.expansion, &answer.expansion.x_max).into()
         }),
-        Of::<C>::value("x_min[]", "", "coefficients of the lower turning point", |it| {
-            texts(&it.expansion, &it.expansion.x_min).into()
+        Of::<C>::value("x_min[]", "", "coefficients of the lower turning point", |answer| {
+            texts(&answer.expansion, &answer.expansion.x_min).into()
         }),
-        Of::<C>::nested("of_amplitude.", &of_amplitude(), |it| in_amplitude(it, &it.expansion.of_amplitude)),
-        Of::<C>::nested("of_half_swing.", &of_amplitude(), |it| {
-            in_amplitude(it, &it.expansion.of_half_swing)
+        Of::<C>::nested("of_amplitude.", &of_amplitude(), |answer| {
+            in_amplitude(answer, &answer.expansion.of_amplitude)
+        }),
+        Of::<C>::nested("of_half_swing.", &of_amplitude(), |answer| {
+            in_amplitude(answer, &answer.expansion.of_half_swing)
         }),
         Of::<C>::value(
             "certified",
             "",
             "true if an independent exact computation proves the coefficients",
-            |it| it.expansion.certificate.is_proof().into(),
+            |answer| answer.expansion.certificate.is_proof().into(),
         ),
-        Of::<C>::value("certificate", "", "the check that was made", |it| {
-            certificate(it.expansion.certificate).into()
+        Of::<C>::value("certificate", "", "the check that was made", |answer| {
+            certificate(answer.expansion.certificate).into()
         }),
         Of::<C>::present_value(
             "interrupted",
             "",
             "true where Ctrl-C ended the work before the requested order, else left out",
-            |it| it.interrupted.map(|_| true.into()),
+            |answer| answer.interrupted.map(|_| true.into()),
         ),
     ])
 }
@@ -198,21 +203,21 @@ fn of_amplitude() -> Fields<OfAmplitude> {
             "frequency_ratio[]",
             "",
             "coefficients of the frequency over ω0, by powers of x_max or of half the swing",
-            |it| it.frequency_ratio.clone().into(),
+            |series| series.frequency_ratio.clone().into(),
         ),
         Of::value(
             "period_ratio[]",
             "",
             "coefficients of the period times ω0/2π, by powers of x_max or of half the swing",
-            |it| it.period_ratio.clone().into(),
+            |series| series.period_ratio.clone().into(),
         ),
         Of::value(
             "epsilon[]",
             "",
             "coefficients of the expansion parameter, by powers of x_max or of half the swing",
-            |it| it.epsilon.clone().into(),
+            |series| series.epsilon.clone().into(),
         ),
-        Of::nested("harmonics.K.", &of_harmonic(COSINES), |it| by_number(&it.harmonics)),
+        Of::nested("harmonics.K.", &of_harmonic(COSINES), |series| by_number(&series.harmonics)),
     ])
 }
 

@@ -63,17 +63,22 @@ pub(super) fn of_subject<A: About>() -> Fields<A> {
             "oscillator",
             "",
             "key of the oscillator, null where its equation was typed",
-            |it: &A| it.subject().key.into(),
+            |answer: &A| answer.subject().key.into(),
         ),
-        Field::value("equation", "", "equation of motion", |it: &A| it.subject().equation.as_str().into()),
+        Field::value("equation", "", "equation of motion", |answer: &A| {
+            answer.subject().equation.as_str().into()
+        }),
         Field::value(
             "read_as",
             "",
             "reading of the equation, null where it was a key or plain: names, brackets, primes and operators",
-            |it: &A| it.subject().read_as.clone().into(),
+            |answer: &A| answer.subject().read_as.clone().into(),
         ),
-        Field::value("parameters.NAME", "", "value of the parameter with this name, as text", |it: &A| {
-            json::object(it.subject().values.iter().cloned())
-        }),
+        Field::value(
+            "parameters.NAME",
+            "",
+            "value of the parameter with this name, as text",
+            |answer: &A| json::object(answer.subject().values.iter().cloned()),
+        ),
     ])
 }

@@ -48,15 +48,15 @@ fn of_curves<'a>() -> Fields<PanelCurve<'a>> {
     type Of<'a> = Field<PanelCurve<'a>>;
     Fields::from([
         Of::value("panel", "", "number of the panel, from 1 at the top", |(panel, _)| (*panel).into()),
-        Of::value("label", "", "name of the curve in the legend", |(_, it)| it.label.as_str().into())
-            .words("shown", |(_, it)| it.label.clone()),
+        Of::value("label", "", "name of the curve in the legend", |(_, curve)| curve.label.as_str().into())
+            .words("shown", |(_, curve)| curve.label.clone()),
         Of::value(
             "points[][]",
             "",
             "coordinates of the points, x and y, in the units of the axes",
-            |(_, it)| json::list(it.points.iter().map(|point| json::numbers(&[point.x, point.y]))),
+            |(_, curve)| json::list(curve.points.iter().map(|point| json::numbers(&[point.x, point.y]))),
         )
-        .numeral("points", |(_, it)| it.points.len().to_string()),
+        .numeral("points", |(_, curve)| curve.points.len().to_string()),
     ])
 }
 
@@ -65,7 +65,9 @@ fn of_points<'a>() -> Fields<(PanelCurve<'a>, &'a Point)> {
     type Of<'a> = Field<(PanelCurve<'a>, &'a Point)>;
     Fields::from([
         Of::value("panel", "", "number of the panel, from 1 at the top", |((panel, _), _)| (*panel).into()),
-        Of::value("series", "", "name of the curve in the legend", |((_, it), _)| it.label.as_str().into()),
+        Of::value("series", "", "name of the curve in the legend", |((_, curve), _)| {
+            curve.label.as_str().into()
+        }),
         Of::number("x", "", "position on the horizontal axis, in the unit of that axis", |(_, point)| {
             point.x
         }),

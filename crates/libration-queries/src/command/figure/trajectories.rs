@@ -166,7 +166,7 @@ impl Trajectories {
                     motion.push(step);
                 }
             })?;
-            let spectrum = Spectrum::of_motion(&motion, shown.place, [self.from, self.to]);
+            let spectrum = Spectrum::of_motion(&motion, shown.component, [self.from, self.to]);
             Ok((run.label.clone(), spectrum.map_err(|error| no_spectrum(&error, run, shown))?))
         })
     }
@@ -189,7 +189,7 @@ fn done<T>(
 
 /// A coordinate that grows has a velocity that may not.
 fn no_spectrum(error: &SpectrumError, run: &DrawnMotion, shown: &StateAxis) -> QueryError {
-    let component = shown.place;
+    let component = shown.component;
     let reason = match (error, run.system.layout().velocity(component)) {
         (SpectrumError::Trend { first, last }, Some(_)) => {
             let name = shown.name();

@@ -154,7 +154,7 @@ fn product(one: Uncertain, other: Uncertain) -> Uncertain {
 pub(super) fn of_answer<'a>() -> Fields<FitAmplitudesResult<'a>> {
     before_the_result().and(of_result()).and(of_quality()).and(of_rows()).and(warnings::fields(
         |result: &FitAmplitudesResult<'a>| warnings::texts(result.warnings()),
-        |it| warnings::names(it.warnings()),
+        |result| warnings::names(result.warnings()),
     ))
 }
 
@@ -302,10 +302,10 @@ fn of_coefficient() -> Fields<LawCoefficient> {
             "coefficient",
             "",
             "c of the acceleration −c·θ′|θ′|ⁿ⁻¹, n = 0, 1 or 2, or null",
-            |it| it.of.coefficient.map(|coefficient| coefficient.value).ok_or_else(no_period),
+            |law| law.of.coefficient.map(|coefficient| coefficient.value).ok_or_else(no_period),
         ),
-        Of::known("coefficient_uncertainty", "", "standard uncertainty of c, or null", |it| {
-            it.of.coefficient.map(|coefficient| coefficient.uncertainty).ok_or_else(no_period)
+        Of::known("coefficient_uncertainty", "", "standard uncertainty of c, or null", |law| {
+            law.of.coefficient.map(|coefficient| coefficient.uncertainty).ok_or_else(no_period)
         }),
         Of::value("unit", "", "unit of c", |coefficient| coefficient.unit.clone().into()),
         Of::number(
@@ -352,7 +352,7 @@ pub(super) fn of_law() -> Fields<LawOfAmplitudes> {
         .only_json(),
         Of::known("chi2_per_dof", "1", "χ² per degree of freedom, or null", |law| {
             law.scatter()
-                .map(|it| it.chi2_per_dof())
+                .map(|scatter| scatter.chi2_per_dof())
                 .ok_or_else(|| "no uncertainties are stated, or there are too few rows".to_owned())
         })
         .rounded(COLUMNS[4], 4)

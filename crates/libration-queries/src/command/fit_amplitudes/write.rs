@@ -64,7 +64,8 @@ impl FitAmplitudesResult<'_> {
         lines.push(("decay", self.decay()));
         lines.push((
             "Q",
-            self.quality().map_or_else(|reason| format!("not known: {reason}"), |it| self.of_quality(it)),
+            self.quality()
+                .map_or_else(|reason| format!("not known: {reason}"), |quality| self.of_quality(quality)),
         ));
         lines.extend(fit.last_quality.map(|quality| ("Q, last row", self.of_quality(quality))));
         let decrement = fit.quality.and_then(|quality| quality.log_decrement());

@@ -118,7 +118,7 @@ pub(super) fn of_cycles<'a>() -> Fields<FitGatesResult<'a>> {
     type Of<'a> = Field<FitGatesResult<'a>>;
     let warnings = warnings::fields(
         |result: &FitGatesResult<'a>| warnings::texts(result.warnings()),
-        |it| warnings::names(it.warnings()),
+        |result| warnings::names(result.warnings()),
     );
     Fields::from([
         Of::nested("cycles[].", &of_cycle(), |result| of_cycle().records(&result.fit.cycles)),

@@ -123,7 +123,7 @@ pub(super) fn of_answer<'a>() -> Fields<FitLengthsResult<'a>> {
     ]);
     let warnings = warnings::fields(
         |result: &FitLengthsResult<'a>| warnings::texts(result.warnings()),
-        |it| warnings::names(it.warnings()),
+        |result| warnings::names(result.warnings()),
     );
     before.and(warnings).and([
         scatter::birge_ratio_field(|result: &FitLengthsResult<'a>| {

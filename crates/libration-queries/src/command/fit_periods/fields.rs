@@ -80,7 +80,7 @@ pub(super) fn of_answer<'a>() -> Fields<FitPeriodsResult<'a>> {
     ]);
     let warnings = warnings::fields(
         |result: &FitPeriodsResult<'a>| warnings::texts(result.warnings()),
-        |it| warnings::names(it.warnings()),
+        |result| warnings::names(result.warnings()),
     );
     before.and(warnings).and([
         Of::known(
@@ -96,8 +96,8 @@ pub(super) fn of_answer<'a>() -> Fields<FitPeriodsResult<'a>> {
             "beta_uncertainty_scaled",
             "1",
             "that uncertainty enlarged by the scatter of the rows, or null",
-            |it| {
-                let scaled = it.fit.beta.as_ref().ok().and_then(|beta| beta.uncertainty_scaled);
+            |result| {
+                let scaled = result.fit.beta.as_ref().ok().and_then(|beta| beta.uncertainty_scaled);
                 scaled.ok_or_else(|| "chi² per degree of freedom is needed to scale it".to_owned())
             },
         ),
@@ -125,19 +125,19 @@ pub(super) fn of_law<'a>() -> Fields<KeyedLaw<'a>> {
     Fields::from([
         Of::value("key", "", "law of the period: exact, constant, or a formula", |law| law.key.into())
             .words("law", |law| law.key.to_owned()),
-        scatter::birge_ratio_field(|it: &KeyedLaw<'a>| {
-            it.fit.map_or_else(|_| Err(String::new()), |law| scatter::birge_ratio(law.scatter()))
+        scatter::birge_ratio_field(|row: &KeyedLaw<'a>| {
+            row.fit.map_or_else(|_| Err(String::new()), |law| scatter::birge_ratio(law.scatter()))
         }),
-        scatter::enlargement_field(|it: &KeyedLaw<'a>| {
-            it.fit.ok().map(|law| scatter::enlargement(law.scatter()))
+        scatter::enlargement_field(|row: &KeyedLaw<'a>| {
+            row.fit.ok().map(|law| scatter::enlargement(law.scatter()))
         }),
-        Of::nullable("t0_s", "s", "period of small swings T₀ under this law", |it| {
-            it.fit.ok().map(|law| law.t0.value)
+        Of::nullable("t0_s", "s", "period of small swings T₀ under this law", |row| {
+            row.fit.ok().map(|law| law.t0.value)
         })
         .rounded("T₀ / s", 8)
         .or("–"),
-        Of::nullable("t0_uncertainty_s", "s", "standard uncertainty of T₀", |it| {
-            it.fit.ok().map(|law| law.t0.uncertainty)
+        Of::nullable("t0_uncertainty_s", "s", "standard uncertainty of T₀", |row| {
+            row.fit.ok().map(|law| law.t0.uncertainty)
         })
         .rounded("± / s", 2)
         .or("–"),
@@ -147,9 +147,11 @@ pub(super) fn of_law<'a>() -> Fields<KeyedLaw<'a>> {
         })
         .rounded("χ²/dof", 4)
         .or("–"),
-        Of::nullable("rms_s", "s", "root mean square of the residuals", |it| it.fit.ok().map(|law| law.rms))
-            .rounded("rms residual / s", 3)
-            .or("–"),
+        Of::nullable("rms_s", "s", "root mean square of the residuals", |row| {
+            row.fit.ok().map(|law| law.rms)
+        })
+        .rounded("rms residual / s", 3)
+        .or("–"),
         Of::note(|law| law.fit.err().map(ToString::to_string)),
     ])
 }

@@ -111,7 +111,7 @@ impl FitPeriods {
     /// T0 of each group, where the rows have groups; the clock and the observer are shared.
     fn groups(&self, measured: &ReadPeriods, fit: &PeriodFit) -> Option<Groups> {
         let both = [self.apparatus.clock(), measured.shared_of(fit)]
-            .map(|it| it.unwrap_or(0.0) * fit.exact.t0.value);
+            .map(|relative| relative.unwrap_or(0.0) * fit.exact.t0.value);
         let shared = both.iter().map(|one| one * one).sum::<f64>().sqrt();
         let of_rows = |rows: &[usize]| {
             let others: Vec<usize> = (0..measured.table.len()).filter(|row| !rows.contains(row)).collect();

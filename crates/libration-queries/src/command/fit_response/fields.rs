@@ -122,7 +122,7 @@ pub(super) fn of_answer<'a>() -> Fields<FitResponseResult<'a>> {
     ]);
     before.and(warnings::fields(
         |result: &FitResponseResult<'a>| warnings::texts(result.warnings()),
-        |it| warnings::names(it.warnings()),
+        |result| warnings::names(result.warnings()),
     ))
 }
 
@@ -190,7 +190,7 @@ pub(super) fn of_model() -> Fields<ResponseFit> {
 const CUBIC: &str = "κ of the acceleration −κ·x³, in 1/s² over the amplitude's unit squared, or null";
 
 fn covariance(fit: &ResponseFit) -> Value {
-    json::list(fit.covariance.iter().map(|row| json::list(row.iter().map(|&it| json::number(it)))))
+    json::list(fit.covariance.iter().map(|row| json::list(row.iter().map(|&entry| json::number(entry)))))
 }
 
 fn not_free() -> String {

@@ -51,7 +51,7 @@ fn lines(answer: &FitTraceResult<'_>) -> Vec<(&'static str, String)> {
     ]);
     lines.extend(expanded(answer).map(|text| ("expanded", text)));
     lines.extend(answer.normal.map(|normal| normal.line()));
-    lines.extend(answer.swings.quality().map(|it| ("Q", quality(it))));
+    lines.extend(answer.swings.quality().map(|factor| ("Q", quality(factor))));
     lines.extend([("rms residual", residual(answer)), ("cycles", cycles(answer)), ("β", beta(answer))]);
     lines
 }

@@ -28,7 +28,8 @@ struct Range {
 }
 
 fn points(formula: &PeriodFormula) -> Vec<ErrorCurvePoint> {
-    let amplitudes: Vec<Angle> = AMPLITUDES.iter().filter_map(|it| Angle::from_degrees(*it).ok()).collect();
+    let amplitudes: Vec<Angle> =
+        AMPLITUDES.iter().filter_map(|degrees| Angle::from_degrees(*degrees).ok()).collect();
     let errors = fractional_errors(std::slice::from_ref(formula), &amplitudes);
     let point = |(amplitude, error): (&Angle, f64)| ErrorCurvePoint {
         amplitude: *amplitude,

@@ -71,8 +71,10 @@ pub(super) fn of_answer() -> Fields<MelnikovResult> {
         )
         .line_of("frequencies", |result| {
             let drive = result.pendulum.frequency();
-            let drive =
-                drive.map_or_else(|| "no drive".to_owned(), |it| format!("drive {} rad/s", short(it, 10)));
+            let drive = drive.map_or_else(
+                || "no drive".to_owned(),
+                |frequency| format!("drive {} rad/s", short(frequency, 10)),
+            );
             format!("ω0 = {} rad/s, {drive}", short(result.pendulum.omega0(), 10))
         }),
         Of::value(
@@ -187,11 +189,11 @@ pub(super) fn of_crossing() -> Fields<Crossing> {
             if crossing.threshold.above { "above" } else { "below" }.to_owned()
         }),
         Of::nullable("tangency", "", "value at which the manifolds themselves touch, or null", |crossing| {
-            crossing.tangency.as_ref().ok().map(|it| it.value)
+            crossing.tangency.as_ref().ok().map(|tangency| tangency.value)
         })
         .rounded("they touch at", 14),
         Of::nullable("tangency_error", "", "its error, or null", |crossing| {
-            crossing.tangency.as_ref().ok().map(|it| it.error)
+            crossing.tangency.as_ref().ok().map(|tangency| tangency.error)
         })
         .numeral("to", |crossing| {
             crossing.tangency.as_ref().map_or_else(|_| String::new(), |tangency| at_most(tangency.error))
@@ -200,16 +202,16 @@ pub(super) fn of_crossing() -> Fields<Crossing> {
             "tangency_phase_rad",
             "rad",
             "phase of the drive at which the motion in both manifolds passes the bottom, or null",
-            |crossing| crossing.tangency.as_ref().ok().map(|it| it.phase),
+            |crossing| crossing.tangency.as_ref().ok().map(|tangency| tangency.phase),
         ),
         Of::nullable("tangency_velocity_rad_per_s", "rad/s", "its velocity there, or null", |crossing| {
-            crossing.tangency.as_ref().ok().map(|it| it.velocity)
+            crossing.tangency.as_ref().ok().map(|tangency| tangency.velocity)
         }),
         Of::nullable(
             "tangency_place_error",
             "",
             "error bound of phase and velocity there, in rad and rad/s, or null",
-            |crossing| crossing.tangency.as_ref().ok().map(|it| it.place_error),
+            |crossing| crossing.tangency.as_ref().ok().map(|tangency| tangency.place_error),
         ),
         Of::value("no_tangency", "", "reason why no tangency is known, or null", |crossing| {
             crossing.tangency.as_ref().err().map(ToString::to_string).into()

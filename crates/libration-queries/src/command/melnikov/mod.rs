@@ -93,7 +93,7 @@ impl MelnikovQuestion {
             Some(over) => Some(crossings(&model, over)?),
             None => None,
         };
-        let first = thresholds.iter().flatten().map(|it| it.threshold.value).reduce(f64::min);
+        let first = thresholds.iter().flatten().map(|crossing| crossing.threshold.value).reduce(f64::min);
         let at = self.over.as_ref().map(|over| (over.name.clone(), first.unwrap_or(over.range[1])));
         let equation = match &at {
             Some((name, value)) => {

@@ -104,7 +104,7 @@ fn lines(answer: &ModesResult, mode: &Mode) -> Vec<(&'static str, String)> {
         mode.resonances
             .iter()
             .filter(|resonance| mode.multiplicity == 1 || resonance.multiple > 1)
-            .map(|it| ("resonance", resonance_text(it))),
+            .map(|resonance| ("resonance", resonance_text(resonance))),
     );
     lines
 }

@@ -107,9 +107,9 @@ impl Comparison {
 
     /// The approximations as a picture needs them.
     fn curves(&self) -> Vec<figure::motion::Approximation<'_>> {
-        let curve = |it| figure::motion::Approximation {
-            name: ApproximateMotion::name(it),
-            angle_at: Box::new(move |time| self.angle_at(it, time)),
+        let curve = |approximation| figure::motion::Approximation {
+            name: ApproximateMotion::name(approximation),
+            angle_at: Box::new(move |time| self.angle_at(approximation, time)),
         };
         self.approximations.iter().map(curve).collect()
     }

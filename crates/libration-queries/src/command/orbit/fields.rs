@@ -210,13 +210,13 @@ fn stability(answer: &OrbitResult) -> String {
 }
 
 fn listed(floquet: &Floquet) -> String {
-    let one = |(it, error): (&Complex, &f64)| {
+    let one = |(multiplier, error): (&Complex, &f64)| {
         let part = |x: f64| to_its_error(x, *error, 10);
-        match it.im {
+        match multiplier.im {
             im if im.abs() > *error => {
-                format!("{} {} {}i", part(it.re), if im > 0.0 { '+' } else { '−' }, part(im.abs()))
+                format!("{} {} {}i", part(multiplier.re), if im > 0.0 { '+' } else { '−' }, part(im.abs()))
             }
-            _ => part(it.re),
+            _ => part(multiplier.re),
         }
     };
     floquet.multipliers.iter().zip(&floquet.errors).map(one).collect::<Vec<_>>().join(", ")

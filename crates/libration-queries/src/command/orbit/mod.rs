@@ -128,7 +128,8 @@ fn drive_periods(period: f64, drive: f64) -> Option<u32> {
 
 /// Notes that a response repeats after fewer periods of the drive: its multipliers are then powers of those over its least period.
 fn note_shorter_period(model: &Model, orbit: &Orbit) {
-    let parts = |all: u32| (2..=all).rev().find(|it| all.is_multiple_of(*it) && orbit.repeats_after(*it));
+    let parts =
+        |all: u32| (2..=all).rev().find(|part| all.is_multiple_of(*part) && orbit.repeats_after(*part));
     let all = drive_period(model.equation()).and_then(|drive| drive_periods(orbit.period(), drive));
     if let Some((all, parts)) = all.and_then(|all| Some((all, parts(all)?))) {
         let least = all / parts;

@@ -67,7 +67,7 @@ pub(super) fn of_swing(is_of_period: bool) -> Fields<Swing> {
     .rounded("u(θ₀) / rad", 2)
     .line_of("uncertainty of θ₀", |swing| {
         let uncertainty = swing.uncertainty.unwrap_or(0.0);
-        let [radians, degrees] = [uncertainty, uncertainty.to_degrees()].map(|it| number::rounded(it, 2));
+        let [radians, degrees] = [uncertainty, uncertainty.to_degrees()].map(|angle| number::rounded(angle, 2));
         format!("{radians} rad = {degrees}°")
     });
     let amplitude = Fields::from([

@@ -67,8 +67,8 @@ impl Period {
         let amplitudes = Arc::new(self.amplitudes.read(&pendulum, of_small_swings)?);
         interrupt::listen()?;
         let swings = SwingsTable { question: self, amplitudes: &amplitudes, pendulum: &pendulum };
-        let (own, options) = (Arc::clone(&amplitudes), self.pendulum);
-        let drawn = self.picture.drawn(move || table::picture(&own, &pendulum, options))?;
+        let (shown, options) = (Arc::clone(&amplitudes), self.pendulum);
+        let drawn = self.picture.drawn(move || table::picture(&shown, &pendulum, options))?;
         match self.form.form() {
             Form::Json => swings.write_json(out)?,
             Form::Csv => swings.write_csv(out)?,

@@ -236,9 +236,11 @@ fn of_steady_states() -> Fields<CoupledSlowFlow> {
         "equations[]",
         "",
         "for each coordinate A′ and A·phi′, all zero at steady states",
-        |it| {
+        |flow| {
             json::list(
-                it.coordinates.iter().flat_map(|coordinate| coordinate.equations.iter().map(String::as_str)),
+                flow.coordinates
+                    .iter()
+                    .flat_map(|coordinate| coordinate.equations.iter().map(String::as_str)),
             )
         },
     )])

@@ -55,8 +55,8 @@ impl<'a> NumberedBranch<'a> {
     /// Points and special points in their order.
     pub(super) fn places(&'a self) -> Vec<PointOfBranch<'a>> {
         let mut points: Vec<(usize, PointOfBranch<'a>)> =
-            self.points().enumerate().map(|(k, it)| (2 * k + 1, it)).collect();
-        points.extend(self.branch.special.iter().map(|it| 2 * it.before).zip(self.special()));
+            self.points().enumerate().map(|(k, point)| (2 * k + 1, point)).collect();
+        points.extend(self.branch.special.iter().map(|special| 2 * special.before).zip(self.special()));
         points.sort_by_key(|(order, _)| *order);
         points.into_iter().map(|(_, point)| point).collect()
     }

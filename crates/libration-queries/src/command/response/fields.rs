@@ -123,10 +123,13 @@ fn of_backbone() -> Fields<FreeOscillation> {
 fn of_missing() -> Fields<(f64, BranchError)> {
     type Of = Field<(f64, BranchError)>;
     Fields::from([
-        Of::number("parameter", "", "value of the parameter at which no initial solution was found", |it| {
-            it.0
-        }),
-        Of::value("reason", "", "reason, as a sentence", |it| it.1.to_string().into()),
+        Of::number(
+            "parameter",
+            "",
+            "value of the parameter at which no initial solution was found",
+            |missing| missing.0,
+        ),
+        Of::value("reason", "", "reason, as a sentence", |missing| missing.1.to_string().into()),
     ])
 }
 
@@ -163,10 +166,10 @@ pub(super) fn of_row<'a>() -> Fields<ResponseRow<'a>> {
     type Of<'a> = Field<ResponseRow<'a>>;
     Fields::from([
         Of::value("branch", "1", "number of the branch, from 1; empty for rows of sweeps", |row| {
-            row.point().map(|it| it.of.number).into()
+            row.point().map(|point| point.of.number).into()
         }),
         Of::value("special", "", "kind of special point, empty for other points", |row| {
-            row.point().and_then(|it| it.special).map_or("", |special| special.kind.key()).into()
+            row.point().and_then(|point| point.special).map_or("", |special| special.kind.key()).into()
         }),
         Of::number("parameter", "", "value of the parameter", |row| match row {
             ResponseRow::PointOfBranch(point) => point.point.parameter,
@@ -179,21 +182,21 @@ pub(super) fn of_row<'a>() -> Fields<ResponseRow<'a>> {
             ResponseRow::amplitude,
         ),
         Of::value("period_s", "s", "period of the solution; empty for rows of sweeps", |row| {
-            row.point().map_or(Value::Null, |it| json::number(it.point.period))
+            row.point().map_or(Value::Null, |point| json::number(point.point.period))
         }),
         Of::value(
             "stability",
             "",
             "attracting, neutral, unstable or undetermined (within the errors of the multipliers); empty for rows of sweeps",
-            |row| row.point().map(|it| it.point.stability.name()).into(),
+            |row| row.point().map(|point| point.point.stability.name()).into(),
         ),
         Of::value(
             "error",
             "",
             "error of the state, of special points that of the parameter; empty for rows of sweeps",
             |row| {
-                row.point().map_or(Value::Null, |it| {
-                    json::number(it.special.map_or(it.point.error, |special| special.error))
+                row.point().map_or(Value::Null, |point| {
+                    json::number(point.special.map_or(point.point.error, |special| special.error))
                 })
             },
         ),

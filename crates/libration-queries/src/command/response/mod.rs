@@ -240,7 +240,7 @@ impl ResponseQuestion {
             Ok(precise.map_err(|error| failure(error, model))?.map(decimal))
         };
         let of_branch =
-            |branch: &Branch| branch.special.iter().map(|it| of_point(branch.space, it)).collect();
+            |branch: &Branch| branch.special.iter().map(|special| of_point(branch.space, special)).collect();
         parallel::with_progress(
             || format!("special points to {digits} digits"),
             || response.branches.iter().map(of_branch).collect(),

@@ -79,7 +79,7 @@ pub(super) fn of_swept<'a>() -> Fields<Swept<'a>> {
             |sweep| sweep.point.drive_periods.into(),
         )
         .numeral("periods", |sweep| {
-            sweep.point.drive_periods.map_or_else(|| "-".to_owned(), |it| it.to_string())
+            sweep.point.drive_periods.map_or_else(|| "-".to_owned(), |periods| periods.to_string())
         }),
         Of::value("turns", "1", "turns of the coordinate in these periods", |sweep| {
             sweep.point.rotation.map_or(0, |rotation| rotation.turns_of(sweep.answer.coordinate)).into()

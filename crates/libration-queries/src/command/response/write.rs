@@ -128,12 +128,13 @@ fn told(Jumping { answer, jump }: &Jumping<'_>) -> String {
     let left = answer.amplitude(&jump.from);
     let (value, from) = (answer.value_text(jump.from.parameter), answer.amplitude_text(left));
     let begin = format!("{way} in {} the solution", answer.parameter);
-    let mut to: Vec<String> = jump.to.iter().map(|it| answer.amplitude_text(answer.amplitude(it))).collect();
+    let mut to: Vec<String> =
+        jump.to.iter().map(|point| answer.amplitude_text(answer.amplitude(point))).collect();
     to.dedup();
     if to.is_empty() {
         return format!("{begin} leaves {from} at {value}, and no other stable periodic motion was found.");
     }
-    let rises = jump.to.iter().all(|it| answer.amplitude(it) > left);
+    let rises = jump.to.iter().all(|point| answer.amplitude(point) > left);
     let verb = if rises { "jumps up" } else { "jumps down" };
     format!("{begin} {verb} at {value}, from {from} to {}.", to.join(" or "))
 }

@@ -120,7 +120,7 @@ impl Watched {
     /// The coordinate on whose curve an event is marked.
     pub(super) fn coordinate(&self, happening: &Happening) -> usize {
         let of = |kind: &&ListedEvent| {
-            happening.kind.split_once(", ").map_or(&*happening.kind, |it| it.0) == kind.name
+            happening.kind.split_once(", ").map_or(&*happening.kind, |parts| parts.0) == kind.name
         };
         self.kinds.iter().find(of).map_or(0, |kind| kind.coordinate)
     }
@@ -155,9 +155,9 @@ impl UntilOptions {
 /// The event of each coordinate, whose name is added if there are several.
 fn of_each(model: &Model, name: &str, formula: fn(&Coordinate) -> Expression) -> Vec<ListedEvent> {
     let several = model.coordinates().len() > 1;
-    let kind = |(coordinate, it): (usize, &Coordinate)| {
-        let name = if several { format!("{name} of {}", it.name) } else { name.to_owned() };
-        ListedEvent { name, formula: formula(it), coordinate, direction: Direction::Any, ends_at: None }
+    let kind = |(coordinate, listed): (usize, &Coordinate)| {
+        let name = if several { format!("{name} of {}", listed.name) } else { name.to_owned() };
+        ListedEvent { name, formula: formula(listed), coordinate, direction: Direction::Any, ends_at: None }
     };
     model.coordinates().iter().enumerate().map(kind).collect()
 }

@@ -58,7 +58,9 @@ impl SimulatedMotion<'_> {
 
     /// The state of the motion alone, in a state of the integration.
     pub(super) fn motion_state(&self, moment: &Moment) -> Moment {
-        let state = self.sensitivities.map_or_else(|| moment.state.clone(), |it| it.state_in(&moment.state));
+        let state = self
+            .sensitivities
+            .map_or_else(|| moment.state.clone(), |sensitivities| sensitivities.state_in(&moment.state));
         Moment { time: moment.time, state }
     }
 
@@ -69,7 +71,10 @@ impl SimulatedMotion<'_> {
     /// The state of the integration at t = 0.
     pub(super) fn beginning(&self) -> Moment {
         let state = &self.initial.state;
-        self.sensitivities.map_or_else(|| Moment { time: 0.0, state: state.clone() }, |it| it.start(state))
+        self.sensitivities.map_or_else(
+            || Moment { time: 0.0, state: state.clone() },
+            |sensitivities| sensitivities.start(state),
+        )
     }
 
     /// The mark from which the motion is continued.

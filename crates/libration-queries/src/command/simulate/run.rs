@@ -172,8 +172,9 @@ pub(super) fn system_of(
     // Names of coordinates are those of the motion alone.
     let plain = tolerances.put_on(model.system().map_err(|error| QueryError::usage(giver, error))?)?;
     let system = match sensitivities {
-        Some(it) => {
-            let system = System::new(it.equation()).map_err(|error| QueryError::usage(giver, error))?;
+        Some(sensitivities) => {
+            let system =
+                System::new(sensitivities.equation()).map_err(|error| QueryError::usage(giver, error))?;
             tolerances.put_on(system)?
         }
         None => plain,

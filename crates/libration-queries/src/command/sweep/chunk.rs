@@ -42,7 +42,7 @@ pub(crate) fn csv(plan: &Plan, chunk: usize, outcomes: &[PointOutcome]) -> io::R
             plan.axes.iter().zip(indices).map(|(axis, index)| axis.shown(index)).collect();
         match outcome {
             Ok(numbers) => {
-                cells.extend(numbers.iter().map(|it| csv::number(*it)));
+                cells.extend(numbers.iter().map(|number| csv::number(*number)));
                 cells.extend(["0".to_owned(), String::new()]);
             }
             Err((status, message)) => {

@@ -142,7 +142,7 @@ fn record(plan: &Plan, point: usize, row: &str) -> Record {
     let [.., status, message] = &cells[..] else { return Record::new() };
     let record = Record::new().with("at", json::object(at)).with("values", json::object(values));
     let record = record.with("status", status.parse::<u64>().unwrap_or_default());
-    record.with("message", Some(message.as_str()).filter(|it| !it.is_empty()))
+    record.with("message", Some(message.as_str()).filter(|text| !text.is_empty()))
 }
 
 /// The fields of a plan.

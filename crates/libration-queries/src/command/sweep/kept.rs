@@ -124,8 +124,9 @@ fn collect(value: &Value, path: String, paths: &mut Vec<String>) {
 
 fn follow(value: Option<&Value>, steps: &[Step], numbers: &mut Vec<f64>) {
     let Some((step, rest)) = steps.split_first() else {
-        let number =
-            |value: &Value| value.as_f64().or_else(|| value.as_bool().map(|it| f64::from(u8::from(it))));
+        let number = |value: &Value| {
+            value.as_f64().or_else(|| value.as_bool().map(|truth| f64::from(u8::from(truth))))
+        };
         numbers.push(value.and_then(number).unwrap_or(f64::NAN));
         return;
     };

@@ -107,8 +107,9 @@ impl Plan {
     pub(crate) fn difference(&self, other: &Self) -> Option<String> {
         let name = |axis: &Axis| axis.name.clone();
         let names = |plan: &Self| plan.axes.iter().map(name).collect::<Vec<_>>().join(", ");
-        let fields =
-            |plan: &Self| plan.kept.iter().map(|it| it.kept.path.clone()).collect::<Vec<_>>().join(", ");
+        let fields = |plan: &Self| {
+            plan.kept.iter().map(|field| field.kept.path.clone()).collect::<Vec<_>>().join(", ")
+        };
         if self.template != other.template {
             return Some(format!("its command is `{}`", self.template.0.join(" ")));
         }
@@ -143,10 +144,14 @@ impl Plan {
 
 fn read_plan(written: &Value) -> Option<Plan> {
     let texts = |value: &Value| -> Option<Vec<String>> {
-        value.as_array()?.iter().map(|it| it.as_str().map(str::to_owned)).collect()
+        value.as_array()?.iter().map(|text| text.as_str().map(str::to_owned)).collect()
     };
     let counts = |value: &Value| -> Option<Vec<usize>> {
-        value.as_array()?.iter().map(|it| usize::try_from(it.as_u64()?).ok().filter(|it| *it > 0)).collect()
+        value
+            .as_array()?
+            .iter()
+            .map(|length| usize::try_from(length.as_u64()?).ok().filter(|count| *count > 0))
+            .collect()
     };
     let axis = |value: &Value| Axis::of_words(value["name"].as_str()?, texts(&value["values"])?).ok();
     let field = |value: &Value| {
@@ -180,7 +185,7 @@ fn first_answer(template: &Template, axes: &[Axis], grid: &Grid) -> Result<Value
 fn all_numbers(descriptions: &[Description], answer: &Value) -> Result<Vec<Kept>, QueryError> {
     let is_number = |kept: &Kept| {
         let is_null = kept.numbers(answer).iter().all(|number| number.is_nan());
-        description_of(descriptions, kept).is_some_and(|it| !is_null || !it.unit.is_empty())
+        description_of(descriptions, kept).is_some_and(|description| !is_null || !description.unit.is_empty())
     };
     let alone = kept::scalars(answer).into_iter().filter_map(|way| Kept::read(&way).ok());
     let alone: Vec<Kept> = alone.filter(is_number).collect();
@@ -228,7 +233,8 @@ fn named_apart(kept: Vec<Kept>, axes: &[Axis]) -> Vec<Kept> {
 }
 
 fn described(descriptions: &[Description], kept: Kept) -> KeptField {
-    let (unit, meaning) = description_of(descriptions, &kept).map_or(("", ""), |it| (it.unit, it.meaning));
+    let (unit, meaning) = description_of(descriptions, &kept)
+        .map_or(("", ""), |description| (description.unit, description.meaning));
     KeptField { kept, unit: unit.to_owned(), meaning: meaning.to_owned() }
 }
 

@@ -46,7 +46,7 @@ impl SweepState<'_> {
     }
 
     fn kept(&self) -> impl Iterator<Item = &str> {
-        self.plan.kept.iter().map(|it| it.kept.name.as_str())
+        self.plan.kept.iter().map(|field| field.kept.name.as_str())
     }
 }
 

@@ -25,8 +25,8 @@ pub fn representative(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     }
     let far = FAR * (points.iter().map(|point| point.1 * point.1).sum::<f64>() / count(points.len())).sqrt();
     let chosen = |number: usize, length: usize| {
-        let place = (GOLDEN * count(number)).fract() * count(length);
-        (0..length).take_while(|&k| count(k) <= place).count() - 1
+        let position = (GOLDEN * count(number)).fract() * count(length);
+        (0..length).take_while(|&k| count(k) <= position).count() - 1
     };
     let of_stretch = |(number, chunk): (usize, &[(f64, f64)])| {
         let one = chosen(number, chunk.len());
@@ -42,14 +42,14 @@ pub(super) fn one_of(points: usize) -> usize {
 }
 
 fn extremes(chunk: &[(f64, f64)]) -> Vec<(f64, f64)> {
-    let place = |best: fn(f64, f64) -> bool| {
-        let better = |best_place: usize, place: usize| {
-            if best(chunk[place].1, chunk[best_place].1) { place } else { best_place }
+    let extreme = |best: fn(f64, f64) -> bool| {
+        let better = |best_place: usize, candidate: usize| {
+            if best(chunk[candidate].1, chunk[best_place].1) { candidate } else { best_place }
         };
         (0..chunk.len()).reduce(better).unwrap_or(0)
     };
-    let (low, high) = (place(|a, b| a < b), place(|a, b| a > b));
+    let (low, high) = (extreme(|a, b| a < b), extreme(|a, b| a > b));
     let mut places = vec![low.min(high), low.max(high)];
     places.dedup();
-    places.into_iter().map(|place| chunk[place]).collect()
+    places.into_iter().map(|index| chunk[index]).collect()
 }

@@ -19,21 +19,21 @@ fn results_are_handed_on_in_order_until_that_fails() {
         let mut seen = vec![];
         let all = in_order(
             places,
-            |place| place * place,
-            |place, square| {
-                seen.push((place, square));
+            |index| index * index,
+            |index, square| {
+                seen.push((index, square));
                 Ok::<(), ()>(())
             },
         );
-        assert_eq!((all, seen), (Ok(()), (0..places).map(|place| (place, place * place)).collect()));
+        assert_eq!((all, seen), (Ok(()), (0..places).map(|index| (index, index * index)).collect()));
     }
     let mut seen = 0;
     let stopped = in_order(
         1000,
-        |place| place,
-        |place, _| {
+        |index| index,
+        |index, _| {
             seen += 1;
-            if place == 10 { Err("full") } else { Ok(()) }
+            if index == 10 { Err("full") } else { Ok(()) }
         },
     );
     assert_eq!((stopped, seen), (Err("full"), 11));
@@ -43,7 +43,7 @@ fn results_are_handed_on_in_order_until_that_fails() {
 fn work_that_panics_panics() {
     let work = || unless_cancelled("a panic", |_| assert!(std::hint::black_box(false)));
     assert!(catch_unwind(work).is_err());
-    let one = |place: usize| assert!(std::hint::black_box(place != 5));
+    let one = |index: usize| assert!(std::hint::black_box(index != 5));
     let in_order = || in_order(100, one, |_, ()| Ok::<(), ()>(()));
     assert!(catch_unwind(in_order).is_err());
 }

@@ -35,8 +35,11 @@ fn there_are_a_few_hundred_chunks_without_another_wish() {
 fn scattered_points_are_points_of_the_grid() {
     for points in [1, 2, 15, 16, 17, 1000, usize::MAX] {
         let grid = Grid::new(vec![points], None).unwrap();
-        let found = grid.scattered();
-        assert_eq!(found[0], 0);
-        assert!(found.len() == points.min(16) && found.iter().all(|&point| point < points), "{found:?}");
+        let scattered = grid.scattered();
+        assert_eq!(scattered[0], 0);
+        assert!(
+            scattered.len() == points.min(16) && scattered.iter().all(|&point| point < points),
+            "{scattered:?}"
+        );
     }
 }

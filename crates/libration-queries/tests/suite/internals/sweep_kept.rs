@@ -16,7 +16,7 @@ fn ways_lead_to_numbers() {
         assert!(numbers(text).iter().all(|number| number.is_nan()), "{text}");
     }
     let beyond = numbers("rows[1:4].state[1]");
-    assert_eq!(beyond.iter().map(|it| it.is_nan()).collect::<Vec<_>>(), [false, true, true]);
+    assert_eq!(beyond.iter().map(|number| number.is_nan()).collect::<Vec<_>>(), [false, true, true]);
 }
 
 #[test]

@@ -6,7 +6,7 @@ use std::ffi::OsString;
 fn ordered(words: &str) -> String {
     let words = words.split(' ').map(OsString::from).collect();
     let ordered: Vec<String> =
-        sweep_options_first(words).into_iter().map(|it| it.into_string().unwrap()).collect();
+        sweep_options_first(words).into_iter().map(|word| word.into_string().unwrap()).collect();
     ordered.join(" ")
 }
 

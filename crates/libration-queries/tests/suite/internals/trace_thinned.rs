@@ -11,10 +11,12 @@ fn what_is_shown_is_distributed_as_all_are() {
     points[777].1 = 40.0;
     let shown = representative(points);
     assert!(
-        shown.len() <= MOST + 1 && shown.is_sorted_by(|a, b| a.0 < b.0) && shown.iter().any(|it| it.1 > 39.0)
+        shown.len() <= MOST + 1
+            && shown.is_sorted_by(|a, b| a.0 < b.0)
+            && shown.iter().any(|point| point.1 > 39.0)
     );
     for quarter in [-1.0, -0.5, 0.0, 0.5] {
-        let inside = shown.iter().filter(|it| (quarter..quarter + 0.5).contains(&it.1)).count();
+        let inside = shown.iter().filter(|point| (quarter..quarter + 0.5).contains(&point.1)).count();
         let part = count(inside) / count(shown.len());
         assert!((part - 0.25).abs() < 0.03, "{quarter}: {part}");
     }

@@ -80,7 +80,7 @@ impl Comparison {
             let has = |term: &DampingKind| preferred.damping_coefficient(*term).is_some();
             let mut added = rival.damping.iter().filter(|term| !has(term));
             let is_zero = |term: DampingKind| {
-                let added = rival.damping_coefficient(term).map(|it| it.estimate);
+                let added = rival.damping_coefficient(term).map(|coefficient| coefficient.estimate);
                 added.is_none_or(|added| added.deviation_from(0.0) <= Self::ZERO)
             };
             contains && added.all(is_zero)

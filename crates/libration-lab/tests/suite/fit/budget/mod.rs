@@ -52,15 +52,15 @@ fn ball(mass: f64, radius: f64, length: f64) -> Vec<(f64, [f64; 2])> {
     let mut points = vec![];
     for i in 0..cells {
         for j in 0..cells {
-            let place = |k: i32| (2.0 * f64::from(k) + 1.0) / f64::from(cells) - 1.0;
-            let (x, y) = (place(i), place(j));
+            let coordinate = |k: i32| (2.0 * f64::from(k) + 1.0) / f64::from(cells) - 1.0;
+            let (x, y) = (coordinate(i), coordinate(j));
             // The chord along the axis of the swing.
             let chord = (1.0 - x * x - y * y).max(0.0).sqrt();
             points.push((chord, [radius * x, length + radius * y]));
         }
     }
     let sum: f64 = points.iter().map(|point| point.0).sum();
-    points.into_iter().map(|(weight, place)| (mass * weight / sum, place)).collect()
+    points.into_iter().map(|(weight, position)| (mass * weight / sum, position)).collect()
 }
 
 #[test]
@@ -85,9 +85,9 @@ fn a_ball_on_a_rod_in_air_gives_its_g_back() {
         ..Corrections::default()
     };
     let apparatus = Apparatus { length: exactly(length), corrections: apparatus };
-    let found = budget(&apparatus, &small_swings(t0)).unwrap();
+    let corrected = budget(&apparatus, &small_swings(t0)).unwrap();
     // The cells of the ball are 1e-4 of it coarse.
-    assert!((found.g / G - 1.0).abs() < 2e-5, "{}", found.g);
+    assert!((corrected.g / G - 1.0).abs() < 2e-5, "{}", corrected.g);
     let bare = budget(&Apparatus::of_length(exactly(length)), &small_swings(t0)).unwrap();
     assert!((bare.g / G - 1.0).abs() > 5e-3);
 }
@@ -114,7 +114,7 @@ fn a_string_that_stretches_swings_more_slowly_by_eleven_sixteenths_of_the_square
     let released = length - stretch + stretch * libm::cos(amplitude);
     let period = period_of(&equations, &[released, amplitude, 0.0, 0.0], "theta");
     let t0 = period / libration::pendulum::period_ratio(amplitude);
-    let apparatus = with(exactly(length), |it| it.stretch = Some(exactly(stretch)));
+    let apparatus = with(exactly(length), |apparatus| apparatus.stretch = Some(exactly(stretch)));
     let measured = MeasuredPeriod { amplitude: Some(amplitude), ..small_swings(t0) };
     let (with, without) = (budget(&apparatus, &measured).unwrap(), small_swings(t0));
     let without = budget(&Apparatus::of_length(exactly(length)), &without).unwrap();
@@ -128,15 +128,15 @@ fn damping_makes_the_period_longer_in_second_order() {
     let equation = format!("x'' = -{:e}*x - {damping}*x'", G / length);
     let t0 = period_of(&equation, &[0.1, 0.0], "x");
     let measured = MeasuredPeriod { damping: PeriodDamping::Contained(exactly(damping)), ..small_swings(t0) };
-    let found = budget(&Apparatus::of_length(exactly(length)), &measured).unwrap();
-    assert!((found.g / G - 1.0).abs() < 1e-6, "{}", found.g);
+    let budget = budget(&Apparatus::of_length(exactly(length)), &measured).unwrap();
+    assert!((budget.g / G - 1.0).abs() < 1e-6, "{}", budget.g);
 }
 
 #[test]
 fn contributions_are_derivatives_times_uncertainties() {
-    let apparatus = with(about(1.0, 0.002), |it| {
-        it.bob = Some(Bob::ball(about(0.02, 0.001)));
-        it.bob_density = Some(exactly(8000.0));
+    let apparatus = with(about(1.0, 0.002), |apparatus| {
+        apparatus.bob = Some(Bob::ball(about(0.02, 0.001)));
+        apparatus.bob_density = Some(exactly(8000.0));
     });
     let amplitude = 0.5;
     let measured = MeasuredPeriod {
@@ -145,26 +145,26 @@ fn contributions_are_derivatives_times_uncertainties() {
         angle_scale: Some(0.02),
         ..small_swings(2.006)
     };
-    let found = budget(&apparatus, &measured).unwrap();
-    let of = |name: &str| found.rows.iter().find(|row| row.name == name).unwrap().uncertainty.unwrap();
+    let budget = budget(&apparatus, &measured).unwrap();
+    let of = |name: &str| budget.rows.iter().find(|row| row.name == name).unwrap().uncertainty.unwrap();
     let close = |got: f64, wanted: f64| (got / wanted - 1.0).abs() < 0.01;
-    assert!(close(of("length"), found.g * 0.002), "{found:?}");
-    assert!(close(of("timing"), found.g * 2.0 * 0.001 / 2.006));
+    assert!(close(of("length"), budget.g * 0.002), "{budget:?}");
+    assert!(close(of("timing"), budget.g * 2.0 * 0.001 / 2.006));
     // R = 1 + A²/16 + 11A⁴/3072: dR/dA·A/R.
     let square: f64 = amplitude * amplitude;
     let ratio = 1.0 + square / 16.0 + 11.0 / 3072.0 * square * square;
     let slope = (square / 8.0 + 44.0 / 3072.0 * square * square) / ratio;
-    assert!(close(of("angle scale"), found.g * 2.0 * slope * 0.02));
-    assert!(close(of("finite bob"), found.g * 0.8 * 0.02 * 0.001));
-    let squares: f64 = found.rows.iter().filter_map(|row| row.uncertainty).map(|u| u * u).sum();
-    assert!(close(found.uncertainty, squares.sqrt()), "{} {}", found.uncertainty, squares.sqrt());
+    assert!(close(of("angle scale"), budget.g * 2.0 * slope * 0.02));
+    assert!(close(of("finite bob"), budget.g * 0.8 * 0.02 * 0.001));
+    let squares: f64 = budget.rows.iter().filter_map(|row| row.uncertainty).map(|u| u * u).sum();
+    assert!(close(budget.uncertainty, squares.sqrt()), "{} {}", budget.uncertainty, squares.sqrt());
 }
 
 #[test]
 fn what_is_not_given_is_not_corrected_and_said() {
-    let found = budget(&Apparatus::of_length(exactly(1.0)), &small_swings(2.0)).unwrap();
-    let of = |name: &str| found.rows.iter().find(|row| row.name == name).unwrap().correction;
-    assert!((found.g - TAU * TAU / 4.0).abs() < 1e-14);
+    let budget = budget(&Apparatus::of_length(exactly(1.0)), &small_swings(2.0)).unwrap();
+    let of = |name: &str| budget.rows.iter().find(|row| row.name == name).unwrap().correction;
+    assert!((budget.g - TAU * TAU / 4.0).abs() < 1e-14);
     assert!(matches!(of("buoyancy"), Correction::Typical(size) if size > 1e-4 && size < 2e-4));
     assert!(matches!(of("rod mass"), Correction::Typical(size) if size < -1e-3));
     assert_eq!(of("finite amplitude"), Correction::Unknown);
@@ -175,11 +175,11 @@ fn what_cannot_be_is_refused() {
     let refused = |apparatus: Apparatus, t0: f64| budget(&apparatus, &small_swings(t0)).unwrap_err();
     let plain = Apparatus::of_length(exactly(1.0));
     assert_eq!(refused(plain, -2.0), BudgetError::NotPositive { name: "period", value: -2.0 });
-    let huge = with(exactly(1.0), |it| it.bob = Some(Bob::ball(exactly(2.0))));
+    let huge = with(exactly(1.0), |apparatus| apparatus.bob = Some(Bob::ball(exactly(2.0))));
     assert_eq!(refused(huge, 2.0), BudgetError::BobTooLarge { radius: 2.0, length: 1.0 });
-    let rod = with(exactly(1.0), |it| it.rod_mass = Some(exactly(0.1)));
+    let rod = with(exactly(1.0), |apparatus| apparatus.rod_mass = Some(exactly(0.1)));
     assert_eq!(refused(rod, 2.0), BudgetError::RodWithoutBob);
-    let balloon = with(exactly(1.0), |it| it.bob_density = Some(exactly(1.0)));
+    let balloon = with(exactly(1.0), |apparatus| apparatus.bob_density = Some(exactly(1.0)));
     assert_eq!(refused(balloon, 2.0), BudgetError::BobTooLight);
     let vague = Apparatus { length: about(1.0, -1.0), ..plain };
     assert_eq!(refused(vague, 2.0), BudgetError::Uncertainty { name: "length", value: -1.0 });

@@ -34,14 +34,14 @@ fn what_is_asked_for_often_is_the_same() {
                 let slope = shape.slope_near_zero_for(times, 0.1);
                 for part in [-1.2, -0.95, -0.9, -0.5, -0.01, 0.01, 0.3, 0.75, 0.89, 0.91, 1.0] {
                     let exact = shape.slope_of_time(shape.near_extreme((1.0 - f64::abs(part)).max(0.1)));
-                    for (found, exact) in [
+                    for (computed, exact) in [
                         (near_extreme(part), shape.near_extreme(part)),
                         (time_since_zero(part), shape.time_since_zero(part)),
                         (slope(part), exact),
                     ] {
                         assert!(
-                            (found - exact).abs() < 1e-11 * (1.0 + exact.abs()),
-                            "{amplitude} {times} {part}: {found} {exact}"
+                            (computed - exact).abs() < 1e-11 * (1.0 + exact.abs()),
+                            "{amplitude} {times} {part}: {computed} {exact}"
                         );
                     }
                 }

@@ -21,17 +21,17 @@ fn times(without: &[usize], with: &[f64]) -> Vec<f64> {
 
 #[test]
 fn a_gate_off_the_centre_has_two_sides() {
-    let found = sorted(&passages(&times(&[], &[]))).unwrap();
-    assert_eq!((found.placed.len(), found.spurious, found.missed), (40, 0, 0));
-    assert!(found.placed.iter().all(|placed| placed.side == usize::from(placed.passage.time.fract() > 0.3)));
-    assert_eq!(found.placed[39].turn, 19);
+    let sorted = sorted(&passages(&times(&[], &[]))).unwrap();
+    assert_eq!((sorted.placed.len(), sorted.spurious, sorted.missed), (40, 0, 0));
+    assert!(sorted.placed.iter().all(|placed| placed.side == usize::from(placed.passage.time.fract() > 0.3)));
+    assert_eq!(sorted.placed[39].turn, 19);
 }
 
 #[test]
 fn double_triggers_and_missed_passages_are_counted() {
-    let found = sorted(&passages(&times(&[5, 12, 13], &[3.02, 9.61, 10.3]))).unwrap();
-    assert_eq!((found.placed.len(), found.spurious, found.missed), (37, 3, 3));
-    assert_eq!(found.placed.last().unwrap().turn, 19);
+    let sorted = sorted(&passages(&times(&[5, 12, 13], &[3.02, 9.61, 10.3]))).unwrap();
+    assert_eq!((sorted.placed.len(), sorted.spurious, sorted.missed), (37, 3, 3));
+    assert_eq!(sorted.placed.last().unwrap().turn, 19);
 }
 
 /// Half periods that fall from 1.6 to 1 times those of small swings, as after a release at 140°.
@@ -40,16 +40,16 @@ fn periods_that_fall_from_large_amplitudes_are_followed() {
     let half = |k: i32| 0.5 * (1.0 + 0.6 * libm::exp(-0.06 * f64::from(k)));
     let mut times = vec![0.0];
     (0..60).for_each(|k| times.push(times[times.len() - 1] + half(k)));
-    let found = sorted(&passages(&times)).unwrap();
-    assert_eq!((found.placed.len(), found.spurious, found.missed), (61, 0, 0));
+    let regular = sorted(&passages(&times)).unwrap();
+    assert_eq!((regular.placed.len(), regular.spurious, regular.missed), (61, 0, 0));
     times.remove(9);
     times.insert(5, times[4] + 0.02);
-    let found = sorted(&passages(&times)).unwrap();
-    assert_eq!((found.placed.len(), found.spurious, found.missed), (60, 1, 1));
+    let sorted = sorted(&passages(&times)).unwrap();
+    assert_eq!((sorted.placed.len(), sorted.spurious, sorted.missed), (60, 1, 1));
 }
 
 #[test]
 fn a_double_trigger_at_the_beginning_is_no_side() {
-    let found = sorted(&passages(&times(&[], &[0.02]))).unwrap();
-    assert_eq!((found.placed.len(), found.spurious), (40, 1));
+    let sorted = sorted(&passages(&times(&[], &[0.02]))).unwrap();
+    assert_eq!((sorted.placed.len(), sorted.spurious), (40, 1));
 }

@@ -19,8 +19,8 @@ fn a_gate_off_the_centre_tells_the_same_amplitude() {
     for from_bottom in [0.0, 0.04] {
         let width = 1e-4;
         let state = motion.state_at(quarter + from_bottom);
-        let found = free(3.0).amplitude(width, width / state.velocity.abs(), from_bottom).unwrap();
-        assert!((found - 0.8).abs() < 1e-7, "{found}");
+        let computed = free(3.0).amplitude(width, width / state.velocity.abs(), from_bottom).unwrap();
+        assert!((computed - 0.8).abs() < 1e-7, "{computed}");
     }
     assert_eq!(free(3.0).amplitude(0.1, 0.01, 0.0), None);
 }
@@ -34,8 +34,8 @@ fn the_speed_changes_while_a_wide_flag_passes() {
     for (from_bottom, half) in [(0.0, 0.075), (0.03, 0.05)] {
         let angle = |time: f64| motion.state_at(quarter + time).angle;
         let width = (angle(from_bottom + half) - angle(from_bottom - half)).abs();
-        let found = free(5.7).amplitude(width, 2.0 * half, from_bottom).unwrap();
-        assert!((found - 0.1222).abs() < 1e-10, "{found}");
+        let computed = free(5.7).amplitude(width, 2.0 * half, from_bottom).unwrap();
+        assert!((computed - 0.1222).abs() < 1e-10, "{computed}");
     }
 }
 
@@ -46,8 +46,8 @@ fn a_drag_makes_the_bob_faster_before_the_bottom_than_after_it() {
     let speed = 2.0 * omega0 * libm::sin(0.5 * amplitude);
     let angle = |time: f64| {
         // Backwards in time the drag drives.
-        let (length, own) = (time.abs(), drag * time.signum());
-        let equation = format!("x'' = -{:e}*sin(x) - ({own:e})*x'", omega0 * omega0);
+        let (length, signed) = (time.abs(), drag * time.signum());
+        let equation = format!("x'' = -{:e}*sin(x) - ({signed:e})*x'", omega0 * omega0);
         let system = System::new(&equation.parse().unwrap()).unwrap();
         let start = Moment { time: 0.0, state: vec![0.0, speed * time.signum()] };
         let motion = integrate(&system, &start, &[length], &Effort::to_tolerance(1e-12), &Quiet).unwrap();
@@ -57,9 +57,9 @@ fn a_drag_makes_the_bob_faster_before_the_bottom_than_after_it() {
     for from_bottom in [-0.05, 0.05] {
         let half = 0.01;
         let width = angle(from_bottom + half) - angle(from_bottom - half);
-        let found = near.amplitude(width, 2.0 * half, from_bottom).unwrap();
+        let computed = near.amplitude(width, 2.0 * half, from_bottom).unwrap();
         // The relative error of the form is of the order qt·θ², 1e-4 here; the drag alone changes the amplitude by 5e-3.
-        assert!((found / amplitude - 1.0).abs() < 1e-4, "{found}");
+        assert!((computed / amplitude - 1.0).abs() < 1e-4, "{computed}");
         assert!(
             (free(omega0).amplitude(width, 2.0 * half, from_bottom).unwrap() / amplitude - 1.0).abs() > 3e-3
         );

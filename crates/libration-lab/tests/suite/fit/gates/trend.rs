@@ -6,8 +6,8 @@ use libration_lab::internals::fit::gates::trend::at_the_beginning;
 fn a_falling_period_is_followed_to_its_beginning() {
     let times: Vec<f64> = (1..=20).map(f64::from).collect();
     let periods: Vec<f64> = times.iter().map(|t| 2.0 + 0.03 * libm::exp(-0.03 * t)).collect();
-    let found = at_the_beginning(&times, &periods, 0.0).unwrap();
-    assert!((found.value - 2.03).abs() < found.uncertainty && found.uncertainty < 2e-3, "{found:?}");
+    let period = at_the_beginning(&times, &periods, 0.0).unwrap();
+    assert!((period.value - 2.03).abs() < period.uncertainty && period.uncertainty < 2e-3, "{period:?}");
 }
 
 /// The standard error of the intercept of a line, s²(1/n + t̄²/Σ(t − t̄)²) with n − 2 degrees of freedom, as in any text on
@@ -25,10 +25,10 @@ fn the_uncertainty_of_a_line_is_that_of_its_intercept() {
         .map(|(t, p)| (p - intercept - slope * t) * (p - intercept - slope * t))
         .sum();
     let standard_error = (squares / 3.0 * (1.0 / 5.0 + mean_time * mean_time / 10.0)).sqrt();
-    let found = at_the_beginning(&times, &periods, 0.0).unwrap();
-    assert!((found.value - intercept).abs() < 1e-12, "{found:?}");
+    let period = at_the_beginning(&times, &periods, 0.0).unwrap();
+    assert!((period.value - intercept).abs() < 1e-12, "{period:?}");
     let expected = libm::hypot(standard_error, intercept - mean);
-    assert!((found.uncertainty / expected - 1.0).abs() < 1e-6, "{found:?} {expected}");
+    assert!((period.uncertainty / expected - 1.0).abs() < 1e-6, "{period:?} {expected}");
 }
 
 /// The mean of three periods is that of a swing after the first.
@@ -43,10 +43,10 @@ fn periods_that_fall_fast_are_extrapolated_from_the_first_of_them() {
     for rows in [13, 20, 44, 90] {
         let times: Vec<f64> = (1..=rows).map(f64::from).collect();
         let periods: Vec<f64> = times.iter().map(|t| 2.0 + 0.3 * libm::exp(-0.3 * t)).collect();
-        let found = at_the_beginning(&times, &periods, 0.0).unwrap();
+        let period = at_the_beginning(&times, &periods, 0.0).unwrap();
         assert!(
-            (found.value - 2.3).abs() < found.uncertainty && found.uncertainty < 0.17,
-            "{rows}: {found:?}"
+            (period.value - 2.3).abs() < period.uncertainty && period.uncertainty < 0.17,
+            "{rows}: {period:?}"
         );
     }
 }

@@ -24,15 +24,18 @@ fn the_beam_is_on_the_edge_where_the_passage_begins() {
 fn slopes_are_what_the_width_changes_by() {
     for disc in DISCS {
         let step = 1e-6 * disc.radius;
-        let moved = |place: usize, by: f64| {
+        let moved = |index: usize, by: f64| {
             let mut sizes = [disc.radius, disc.centre, disc.beam];
-            sizes[place] += by;
+            sizes[index] += by;
             let [radius, centre, beam] = sizes;
             PassingDisc { radius, centre, beam }.width()
         };
-        for (place, slope) in disc.slopes().into_iter().enumerate() {
-            let found = (moved(place, step) - moved(place, -step)) / (2.0 * step);
-            assert!((found - slope).abs() < 1e-5 * disc.slopes()[0], "{disc:?} {place}: {found} {slope}");
+        for (index, slope) in disc.slopes().into_iter().enumerate() {
+            let computed = (moved(index, step) - moved(index, -step)) / (2.0 * step);
+            assert!(
+                (computed - slope).abs() < 1e-5 * disc.slopes()[0],
+                "{disc:?} {index}: {computed} {slope}"
+            );
         }
     }
 }

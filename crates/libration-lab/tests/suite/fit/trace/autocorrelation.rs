@@ -12,18 +12,22 @@ fn noise(rows: usize) -> Vec<f64> {
 
 #[test]
 fn noise_is_noise() {
-    let found = Autocorrelation::of_series(&[noise(2000)]);
-    assert!(found.is_noise() && found.time < 1.2, "{found:?}");
+    let autocorrelation = Autocorrelation::of_series(&[noise(2000)]);
+    assert!(autocorrelation.is_noise() && autocorrelation.time < 1.2, "{autocorrelation:?}");
 }
 
 #[test]
 fn a_moving_average_is_not() {
     let noise = noise(4000);
     let smooth: Vec<f64> = noise.windows(4).map(|four| four.iter().sum()).collect();
-    let found = Autocorrelation::of_series(&[smooth]);
+    let autocorrelation = Autocorrelation::of_series(&[smooth]);
     // Triangular correlations 3/4, 1/2, 1/4.
-    assert!(!found.is_noise() && (found.time - 4.0).abs() < 0.8, "{}", found.time);
-    assert!((found.correlations[1] - 0.75).abs() < 0.05);
+    assert!(
+        !autocorrelation.is_noise() && (autocorrelation.time - 4.0).abs() < 0.8,
+        "{}",
+        autocorrelation.time
+    );
+    assert!((autocorrelation.correlations[1] - 0.75).abs() < 0.05);
 }
 
 #[test]

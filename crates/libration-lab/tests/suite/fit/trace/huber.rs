@@ -36,9 +36,12 @@ fn the_variance_has_the_correction_for_the_parameters() {
 
 #[test]
 fn outliers_answer_as_if_they_were_at_the_bound() {
-    let found = bounded(&[1.0, -1.0, 1.0, -100.0]);
+    let bounded = bounded(&[1.0, -1.0, 1.0, -100.0]);
     let bound = BOUND * scale(&[1.0, -1.0, 1.0, -100.0]);
-    assert!((found[0] - 1.0 / 0.75).abs() < 1e-15 && (found[3] + bound / 0.75).abs() < 1e-15, "{found:?}");
+    assert!(
+        (bounded[0] - 1.0 / 0.75).abs() < 1e-15 && (bounded[3] + bound / 0.75).abs() < 1e-15,
+        "{bounded:?}"
+    );
 }
 
 #[test]

@@ -29,7 +29,7 @@ fn the_filter_gives_what_the_whole_covariance_gives() {
     let mut products = DMatrix::zeros(2, 2);
     let logarithm = part.add_products(WHITE, &memories(TIME, &TIMES), &mut products);
     assert!((logarithm - libm::log(whole.determinant())).abs() < 1e-12);
-    let columns = DMatrix::from_fn(TIMES.len(), 2, |row, place| part.rows[2 * row + place]);
+    let columns = DMatrix::from_fn(TIMES.len(), 2, |row, column| part.rows[2 * row + column]);
     let expected = columns.transpose() * whole.try_inverse().unwrap() * columns;
     assert!((&products - &expected).norm() < 1e-13 * expected.norm());
 }
@@ -39,16 +39,16 @@ fn the_spread_is_that_of_the_whole_covariance() {
     let response = DMatrix::from_fn(1, TIMES.len(), |_, n| libm::cos(count(n)));
     let rows = Rows { parts: vec![part(&TIMES)], parameters: 1 };
     let expected = (&response * covariance(&TIMES) * response.transpose())[(0, 0)];
-    let [own, shared] = rows.spreads(&[memories(TIME, &TIMES)], &response)[0];
-    assert!((own + 2.0 * (1.0 - WHITE) * shared - expected).abs() < 1e-12);
+    let [separate, shared] = rows.spreads(&[memories(TIME, &TIMES)], &response)[0];
+    assert!((separate + 2.0 * (1.0 - WHITE) * shared - expected).abs() < 1e-12);
 }
 
 /// Half of the weight at e² times the variance: the mean is e, and the logarithms scatter by 1.
 #[test]
 fn noises_that_disagree_leave_few_degrees_of_freedom() {
-    let found = mean_effect(&[0.0, 2.0], &[0.5, 0.5], 1e9);
-    assert!((found.inflation - std::f64::consts::E).abs() < 1e-12);
-    assert!((found.degrees_of_freedom - 2.0).abs() < 1e-6, "{found:?}");
+    let effect = mean_effect(&[0.0, 2.0], &[0.5, 0.5], 1e9);
+    assert!((effect.inflation - std::f64::consts::E).abs() < 1e-12);
+    assert!((effect.degrees_of_freedom - 2.0).abs() < 1e-6, "{effect:?}");
     let alike = mean_effect(&[0.5, 0.5], &[0.9, 0.1], 30.0);
     assert!((alike.degrees_of_freedom - 30.0).abs() < 1e-9);
 }
@@ -57,7 +57,7 @@ fn noises_that_disagree_leave_few_degrees_of_freedom() {
 fn times_go_up_to_an_eighth_of_the_trace() {
     let times: Vec<f64> = (0..81).map(|row| 0.1 * f64::from(row)).collect();
     let trace = Trace::new("eight seconds", Observable::Angle, times.clone(), vec![0.0; 81], None).unwrap();
-    let found = libration_lab::internals::fit::trace::noise::times(&[trace]);
-    assert!(found.iter().all(|time| (0.039..=1.0).contains(time)));
-    assert!(found.iter().any(|time| *time > 1.0 / FACTOR));
+    let of_noise = libration_lab::internals::fit::trace::noise::times(&[trace]);
+    assert!(of_noise.iter().all(|time| (0.039..=1.0).contains(time)));
+    assert!(of_noise.iter().any(|time| *time > 1.0 / FACTOR));
 }

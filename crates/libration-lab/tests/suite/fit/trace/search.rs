@@ -45,8 +45,8 @@ fn apart(one: &TraceMinimum, other: &TraceMinimum, problem: &Problem<'_>) -> f64
     let fit = uncertainty::fit(problem, other, &Watch::new(&Quiet)).unwrap();
     let free = problem.model.free();
     let pairs = free.iter().zip(&fit.parameters);
-    let differences = pairs.map(|(&place, parameter)| {
-        (one.parameters[place] - other.parameters[place]).abs() / parameter.formal_uncertainty
+    let differences = pairs.map(|(&index, parameter)| {
+        (one.parameters[index] - other.parameters[index]).abs() / parameter.formal_uncertainty
     });
     differences.fold(0.0, f64::max)
 }
@@ -93,21 +93,25 @@ fn the_rows_of_each_trace_are_those_of_the_trace_alone() {
             .rows(&all, &parameters, &free, &libration_lab::internals::fit::trace::swing::EXACT)
             .unwrap();
         for (number, rows) in rows.iter().enumerate() {
-            let own = &traces[number..=number];
-            let alone = Problem::new(own, terms, TraceOptions::default()).unwrap();
+            let trace = &traces[number..=number];
+            let alone = Problem::new(trace, terms, TraceOptions::default()).unwrap();
             let first = layout.offset(number);
             let own_parameters = [&parameters[..shared], &parameters[first..first + 3]].concat();
-            let stated = Weights::stated(own);
+            let stated = Weights::stated(trace);
             let of_one = series::whole(alone.data, &stated);
             let free = alone.model.free();
-            let found = alone
+            let solutions = alone
                 .model
                 .rows(&of_one, &own_parameters, &free, &libration_lab::internals::fit::trace::swing::EXACT)
                 .unwrap();
-            let [found] = &found[..] else { panic!() };
+            let [solution] = &solutions[..] else { panic!() };
             let bits =
                 |rows: &ResidualRows| ResidualRows::whole(std::slice::from_ref(rows), rows.places()).jacobian;
-            assert_eq!((found.residuals(), bits(found)), (rows.residuals(), bits(rows)), "{terms} {number}");
+            assert_eq!(
+                (solution.residuals(), bits(solution)),
+                (rows.residuals(), bits(rows)),
+                "{terms} {number}"
+            );
         }
     }
 }
@@ -127,8 +131,8 @@ fn few_rows_have_the_sums_of_all() {
         .unwrap();
     let [whole, few] = [ResidualRows::whole(&rows, &free), ResidualRows::few(&rows, &free)];
     assert!(few.residuals.len() < 20 && whole.residuals.len() == 1800);
-    let products = [&whole, &few].map(|it| it.jacobian.tr_mul(&it.jacobian));
-    let slopes = [&whole, &few].map(|it| it.jacobian.tr_mul(&it.residuals));
+    let products = [&whole, &few].map(|solution| solution.jacobian.tr_mul(&solution.jacobian));
+    let slopes = [&whole, &few].map(|solution| solution.jacobian.tr_mul(&solution.residuals));
     assert!((&products[0] - &products[1]).norm() < 1e-13 * products[0].norm());
     assert!((&slopes[0] - &slopes[1]).norm() < 1e-13 * slopes[0].norm());
     assert!((few.residuals.norm() / whole.residuals.norm() - 1.0).abs() < 1e-13);
@@ -149,7 +153,7 @@ fn sums_beside_a_minimum_are_those_of_the_way_down() {
     for deviations in [1.0, -2.0, 100.0] {
         let mut moved = minimum.parameters.clone();
         moved[0] += deviations * fit.parameters[0].formal_uncertainty;
-        let others = problem.model.free().into_iter().filter(|&place| place != 0).collect::<Vec<_>>();
+        let others = problem.model.free().into_iter().filter(|&index| index != 0).collect::<Vec<_>>();
         let sum = problem.sum_beside(&minimum.weights, moved.clone(), others.clone(), least, &watch).unwrap();
         let all = series::whole(problem.data, &minimum.weights);
         let start = libration_lab::internals::fit::trace::minimum::Start {
@@ -188,8 +192,8 @@ fn data_that_no_model_follows_are_refused_after_a_look_at_the_first_swings() {
         evaluations.fetch_add(1, Ordering::Relaxed);
         ControlFlow::Continue(())
     };
-    let found = compare(&[trace], &TraceOptions::default(), &Watch::new(&counted));
-    assert!(matches!(found, Err(TraceFitError::Unexplained { percent }) if percent > 50.0), "{found:?}");
+    let outcome = compare(&[trace], &TraceOptions::default(), &Watch::new(&counted));
+    assert!(matches!(outcome, Err(TraceFitError::Unexplained { percent }) if percent > 50.0), "{outcome:?}");
     let evaluations = evaluations.into_inner();
     assert!(evaluations < 1000, "{evaluations}");
 }

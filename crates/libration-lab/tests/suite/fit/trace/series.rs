@@ -20,8 +20,8 @@ fn the_correlation_tells_the_phase_and_not_the_amplitude() {
     for (phase, expected) in [(0.0, 0.98..1.0), (0.7, 0.7..0.85), (3.1, -1.0..-0.85)] {
         let fitted = times.iter().map(|t| libm::cos((3.0 + 0.01 * phase) * t));
         let residuals: Vec<f64> = fitted.zip(&values).map(|(fitted, value)| 2.0 * (fitted - value)).collect();
-        let found = series.least_correlation(&residuals);
-        assert!(expected.contains(&found), "{phase}: {found}");
+        let computed = series.least_correlation(&residuals);
+        assert!(expected.contains(&computed), "{phase}: {computed}");
     }
     let still: Vec<f64> = values.iter().map(|value| -2.0 * value).collect();
     assert!(series.least_correlation(&still) == 0.0, "what does not move has no phase");

@@ -43,12 +43,12 @@ fn derivatives_jump_where_dry_friction_turns_the_motion() {
 }
 
 fn compare_with_differences(swing: &Swing, observable: Observable, all: &[f64], times: &[f64]) {
-    let found = seen(swing, observable, all, times);
-    for (place, derivatives) in found.derivatives.iter().enumerate() {
+    let columns = seen(swing, observable, all, times);
+    for (index, derivatives) in columns.derivatives.iter().enumerate() {
         let step = 1e-5;
         let shifted = |by: f64| {
             let mut all = all.to_vec();
-            all[place] += by;
+            all[index] += by;
             seen(swing, observable, &all, times).values
         };
         let (more, less) = (shifted(step), shifted(-step));
@@ -58,7 +58,7 @@ fn compare_with_differences(swing: &Swing, observable: Observable, all: &[f64], 
             let error = (difference - derivatives[row]).abs();
             assert!(
                 error < 3e-6 * (1.0 + difference.abs()),
-                "{} {all:?} {place} {row}: {difference} {}",
+                "{} {all:?} {index} {row}: {difference} {}",
                 swing.terms,
                 derivatives[row]
             );
@@ -104,11 +104,11 @@ fn dry_friction_holds_the_pendulum_in_the_end() {
     let swing = Swing::new(DampingModel::only(DampingKind::Dry));
     let times: Vec<f64> = (0..100).map(f64::from).collect();
     for observable in both() {
-        let found = seen(&swing, observable, &[1.0, 0.1, 1.0, 1e-9], &times);
-        let [last, before] = [99, 98].map(|row| found.values[row]);
+        let seen = seen(&swing, observable, &[1.0, 0.1, 1.0, 1e-9], &times);
+        let [last, before] = [99, 98].map(|row| seen.values[row]);
         assert!((last - before).abs() == 0.0 && last.abs() < 0.1001, "{last}");
         if observable == Observable::AngularVelocity {
-            assert!(last == 0.0 && found.derivatives.iter().all(|column| column[99].abs() == 0.0));
+            assert!(last == 0.0 && seen.derivatives.iter().all(|column| column[99].abs() == 0.0));
         }
     }
 }

@@ -9,8 +9,8 @@ fn top(rows: usize, beside: f64) -> Vec<f64> {
 
 #[test]
 fn three_rows_at_an_end_that_the_motion_leaves_fast_are_clipped_and_two_are_not() {
-    let found: Vec<(usize, usize)> = clipped(&top(3, 0.7)).iter().map(|run| (run.first, run.rows)).collect();
-    assert_eq!(found, [(4, 3)]);
+    let runs: Vec<(usize, usize)> = clipped(&top(3, 0.7)).iter().map(|run| (run.first, run.rows)).collect();
+    assert_eq!(runs, [(4, 3)]);
     assert_eq!(clipped(&top(2, 0.7)), []);
     let upside_down: Vec<f64> = top(3, 0.7).iter().map(|value| -value).collect();
     assert!((clipped(&upside_down)[0].value + 1.0).abs() < 1e-15);

@@ -12,11 +12,8 @@ fn the_interval_lies_within_its_uncertainty_which_is_wide_where_frames_fall_in_s
         EvenTimes::through(&rounded, &places, &vec![0.05; rounded.len()]).unwrap()
     };
     for interval in [0.0331, 0.0317, 0.041, 1.0 / 30.0, 0.025] {
-        let found = through(interval, 900);
-        assert!(
-            (found.interval - interval).abs() < 2.0 * found.interval_uncertainty,
-            "{interval}: {found:?}"
-        );
+        let even = through(interval, 900);
+        assert!((even.interval - interval).abs() < 2.0 * even.interval_uncertainty, "{interval}: {even:?}");
     }
     // In step each time may be moved by a sixth of a step: over 900 rows by 0.0167 s either way at most.
     let (in_step, out_of_step) = (through(1.0 / 30.0, 900), through(0.0331, 900));

@@ -71,8 +71,8 @@ fn dropped_frames_are_counted() {
     for per_second in [1e9, 1e3] {
         let faults = Faults::detect(&truncated(&pick(&times), per_second), &pick(&values), None);
         let clock = faults.clock.as_ref().unwrap();
-        let found: Vec<(usize, usize)> = clock.gaps.iter().map(|gap| (gap.after, gap.missing)).collect();
-        assert_eq!(found, [(39, 3), (96, 1)]);
+        let gaps: Vec<(usize, usize)> = clock.gaps.iter().map(|gap| (gap.after, gap.missing)).collect();
+        assert_eq!(gaps, [(39, 3), (96, 1)]);
         assert!(faults.outliers.is_empty());
     }
 }
@@ -149,8 +149,8 @@ fn frames_shown_twice_and_clipped_tops_are_found() {
     values[302] = values[300];
     values[301] = values[300];
     let faults = Faults::detect(&times, &values, None);
-    let found: Vec<(usize, usize)> = faults.stuck.iter().map(|run| (run.first, run.rows)).collect();
-    assert_eq!(found, [(99, 2), (300, 4)]);
+    let runs: Vec<(usize, usize)> = faults.stuck.iter().map(|run| (run.first, run.rows)).collect();
+    assert_eq!(runs, [(99, 2), (300, 4)]);
     let clipped: Vec<f64> = values.iter().map(|value| value.clamp(-0.9, 0.9)).collect();
     let faults = Faults::detect(&times, &clipped, None);
     assert!(faults.clipped.len() > 8 && faults.clipped.iter().all(|run| run.value.abs() > 0.89));

@@ -46,8 +46,8 @@ fn headers_of_instruments_are_understood() {
         ("Sampling rate / kHz", Other, "kHz", None),
     ] {
         let heading = Heading::read(text, None, None);
-        let found = heading.unit.map_or(String::new(), |unit| unit.to_string());
-        assert_eq!((heading.quantity, found.as_str()), (quantity, unit), "{text}: {heading:?}");
+        let notation = heading.unit.map_or(String::new(), |unit| unit.to_string());
+        assert_eq!((heading.quantity, notation.as_str()), (quantity, unit), "{text}: {heading:?}");
         assert_eq!(heading.run.as_deref(), run, "{text}");
     }
 }

@@ -13,9 +13,9 @@ fn rows(axis: [f64; 3], wobble: f64) -> Vec<[f64; 3]> {
 
 #[test]
 fn a_tilted_axis_is_found_whatever_the_sensor_shows_at_rest() {
-    let found = principal_axis(&rows([-0.6, 0.0, -0.8], 0.0)).unwrap();
-    for (part, expected) in found.iter().zip([0.6, 0.0, 0.8]) {
-        assert!((part - expected).abs() < 1e-12, "{found:?}");
+    let axis = principal_axis(&rows([-0.6, 0.0, -0.8], 0.0)).unwrap();
+    for (part, expected) in axis.iter().zip([0.6, 0.0, 0.8]) {
+        assert!((part - expected).abs() < 1e-12, "{axis:?}");
     }
 }
 

@@ -13,7 +13,7 @@ fn an_angle_over_the_top_is_made_whole() {
     let mut told = Vec::new();
     unwrap(&mut wrapped, "", &mut |finding| told.push(finding));
     let shift = whole[0] - wrapped[0];
-    assert!(whole.iter().zip(&wrapped).all(|(whole, found)| (whole - found - shift).abs() < 1e-12));
+    assert!(whole.iter().zip(&wrapped).all(|(whole, angle)| (whole - angle - shift).abs() < 1e-12));
     assert_eq!(told.len(), 1, "{told:?}");
 }
 

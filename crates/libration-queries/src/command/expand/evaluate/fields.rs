@@ -46,75 +46,84 @@ impl<'a> Numbers<'a> {
 pub(super) fn of_numbers<'a>() -> Fields<Numbers<'a>> {
     type Of<'a> = Field<Numbers<'a>>;
     Fields::from([
-        Of::value("oscillator", "", "key of the oscillator, null where its equation was typed", |it| {
-            it.answer.subject.key.into()
+        Of::value("oscillator", "", "key of the oscillator, null where its equation was typed", |numbers| {
+            numbers.answer.subject.key.into()
         }),
-        Of::value("equation", "", "equation of motion", |it| it.answer.subject.equation.as_str().into()),
-        Of::value("order", "1", "highest power of the expansion", |it| it.answer.expansion.order.into()),
-        Of::value("quantity", "", "quantity whose series is evaluated", |it| {
-            it.relation.quantity().to_string().into()
+        Of::value("equation", "", "equation of motion", |numbers| {
+            numbers.answer.subject.equation.as_str().into()
         }),
-        Of::value("amplitude_is", "", "variable of the power series", |it| {
-            let variable = &it.answer.expansion.variable;
+        Of::value("order", "1", "highest power of the expansion", |numbers| {
+            numbers.answer.expansion.order.into()
+        }),
+        Of::value("quantity", "", "quantity whose series is evaluated", |numbers| {
+            numbers.relation.quantity().to_string().into()
+        }),
+        Of::value("amplitude_is", "", "variable of the power series", |numbers| {
+            let variable = &numbers.answer.expansion.variable;
             if variable.is_strength() { variable.name().into() } else { "x_max".into() }
         }),
-        Of::number("amplitude", "", "its value, in rad for angles", |it| it.amplitude),
-        Of::known("exact", "", "value of the quantity by an independent method, or null", |it| {
-            match &it.exact {
+        Of::number("amplitude", "", "its value, in rad for angles", |numbers| numbers.amplitude),
+        Of::known("exact", "", "value of the quantity by an independent method, or null", |numbers| {
+            match &numbers.exact {
                 Some(Ok(exact)) => Ok(exact.value),
                 Some(Err(reason)) => Err(reason.to_string()),
                 None => Err(NOT_REACHED.to_owned()),
             }
         }),
-        Of::present("exact_uncertainty", "", "bound on the error of that value", |it| {
-            it.exact_value().map(|exact| exact.uncertainty)
+        Of::present("exact_uncertainty", "", "bound on the error of that value", |numbers| {
+            numbers.exact_value().map(|exact| exact.uncertainty)
         }),
         Of::present_value(
             "exact_by",
             "",
             "the independent method: elliptic integrals, or integration of the equation of motion",
-            |it| it.exact_value().map(|exact| method(exact.method).into()),
+            |numbers| numbers.exact_value().map(|exact| method(exact.method).into()),
         ),
-        Of::present_value("encloses", "", "another equilibrium that the orbit encloses, or null", |it| {
-            it.exact_value().map(|exact| exact.encloses.map(json::number).into())
-        }),
+        Of::present_value(
+            "encloses",
+            "",
+            "another equilibrium that the orbit encloses, or null",
+            |numbers| numbers.exact_value().map(|exact| exact.encloses.map(json::number).into()),
+        ),
         Of::note(Numbers::other_family),
         Of::present(
             "orbit_distance",
             "",
             "for a limit cycle: largest distance, at the same phase, of the displacement that the series gives from that of the periodic orbit to which Newton's method converges from there; left out where it does not converge",
-            |it| it.orbit_distance().map(|orbit| orbit.distance),
+            |numbers| numbers.orbit_distance().map(|orbit| orbit.distance),
         ),
-        Of::present("orbit_distance_uncertainty", "", "error of that orbit's displacement", |it| {
-            it.orbit_distance().map(|orbit| orbit.uncertainty)
+        Of::present("orbit_distance_uncertainty", "", "error of that orbit's displacement", |numbers| {
+            numbers.orbit_distance().map(|orbit| orbit.uncertainty)
         }),
         Of::note(Numbers::without_orbit),
         Of::known("radius", "", "radius of convergence, or null", radius),
-        Of::value("radius_is", "", "proven or estimated, or null", |it| {
-            it.radius.flatten().map(|radius| certainty(radius_certainty(&radius))).into()
+        Of::value("radius_is", "", "proven or estimated, or null", |numbers| {
+            numbers.radius.flatten().map(|radius| certainty(radius_certainty(&radius))).into()
         }),
         Of::value(
             "smallest_term_power",
             "1",
             "power of the smallest term, where a divergent series is best cut off",
-            |it| it.evaluation.smallest_term().map(|step| step.power).into(),
+            |numbers| numbers.evaluation.smallest_term().map(|step| step.power).into(),
         ),
-        Of::nested("steps[].", &of_term(), |it| of_term().records(&it.terms())),
-        Of::nested("pade[].", &of_approximant(), |it| {
-            it.pade.as_ref().map(|pade| of_approximant().records(&it.approximants(pade))).into()
+        Of::nested("steps[].", &of_term(), |numbers| of_term().records(&numbers.terms())),
+        Of::nested("pade[].", &of_approximant(), |numbers| {
+            numbers.pade.as_ref().map(|pade| of_approximant().records(&numbers.approximants(pade))).into()
         }),
-        Of::note(|it| it.pade.is_none().then(|| format!("pade is null: {NOT_REACHED}"))),
+        Of::note(|numbers| numbers.pade.is_none().then(|| format!("pade is null: {NOT_REACHED}"))),
         Of::value(
             "terms_needed.TOLERANCE",
             "1",
             "terms beyond the first until the remainder stays below this fraction of the sum, or null",
-            |it| json::object(it.needed().map(|(tolerance, count)| (format!("{tolerance:e}"), count))),
+            |numbers| {
+                json::object(numbers.needed().map(|(tolerance, count)| (format!("{tolerance:e}"), count)))
+            },
         ),
         Of::present_value(
             "interrupted",
             "",
             "true where Ctrl-C ended the work before all was known, else left out",
-            |it| it.missing().map(|_| true.into()),
+            |numbers| numbers.missing().map(|_| true.into()),
         ),
     ])
 }
@@ -157,7 +166,7 @@ pub(super) fn of_term<'a>() -> Fields<Term<'a>> {
             "estimate of the remainder where no bound is known, too small in about 1 of 100 cases, in 2 of 100 at order 5 and below; or null",
             |term| term.remainder(Certainty::Estimated),
         ),
-        Of::unnamed().words("", |it| if it.is_smallest() { "← smallest term" } else { "" }.to_owned()),
+        Of::unnamed().words("", |term| if term.is_smallest() { "← smallest term" } else { "" }.to_owned()),
     ])
 }
 
@@ -201,7 +210,9 @@ pub(in crate::command::expand) fn answers() -> Answers {
 impl Term<'_> {
     /// The remainder, if it is known with this certainty.
     fn remainder(&self, certainty: Certainty) -> Option<f64> {
-        Some(self.step.remainder).filter(|it| it.certainty == certainty).map(|it| it.size)
+        Some(self.step.remainder)
+            .filter(|remainder| remainder.certainty == certainty)
+            .map(|remainder| remainder.size)
     }
 
     fn coefficient(&self) -> &Rational {

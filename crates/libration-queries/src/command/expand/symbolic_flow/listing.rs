@@ -119,7 +119,7 @@ fn write_values(out: &mut dyn Write, answer: &SymbolicFlowResult, values: &FlowV
         _ => states.found.iter().try_for_each(|state| write_state(out, state, is_driven))?,
     }
     write_notes(out, &states.found)?;
-    states.left_out.iter().try_for_each(|it| write_left_out(out, it, answer))?;
+    states.left_out.iter().try_for_each(|omission| write_left_out(out, omission, answer))?;
     if states.left_out.is_empty() {
         return Ok(());
     }

@@ -162,7 +162,7 @@ fn of_doubts<'a>() -> Fields<FitTraceResult<'a>> {
     type Of<'a> = Field<FitTraceResult<'a>>;
     let warnings = warnings::fields(
         |result: &FitTraceResult<'a>| json::list(result.warnings()),
-        |it| json::list(it.swings.warnings.iter().map(Warning::name)),
+        |result| json::list(result.swings.warnings.iter().map(Warning::name)),
     );
     Fields::from(warnings).and([
         Of::value("advice[]", "", "advice for a better measurement", |result| json::list(result.advice())),

@@ -3,7 +3,7 @@
 use super::super::answer::FitTraceResult;
 use crate::document::{Block, DocumentFigure};
 use crate::figure::chart::Picture;
-use crate::figure::parameters::found;
+use crate::figure::parameters::estimate;
 use crate::figure::trace::{self as draw, Envelope, Fitted, Swings};
 use libration_lab::fit::cycles::HalfSwing;
 use libration_lab::fit::trace::{ParameterKind, TraceFit};
@@ -28,7 +28,7 @@ pub(in super::super) fn of_all(answer: &FitTraceResult<'_>) -> Picture {
     let aspect =
         pictures.iter().map(|picture| if count > 1 { 0.7 * picture.aspect } else { picture.aspect }).sum();
     let panels = pictures.into_iter().flat_map(|picture| picture.panels).collect();
-    let t0 = found("T₀", answer.swings.small_angle_period(), "s");
+    let t0 = estimate("T₀", answer.swings.small_angle_period(), "s");
     let picture = Picture::new("Swing and fitted motion", panels);
     let damping = format!("damping: {}", answer.swings.fit.damping);
     Picture { aspect, ..picture.with_parameters([t0, damping]) }

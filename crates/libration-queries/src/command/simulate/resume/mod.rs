@@ -55,9 +55,9 @@ pub(super) enum ResumeError {
     #[error("not valid JSON ({0}): give a file that <libration simulate> wrote")]
     NotJson(String),
     #[error(
-        "its fields have the names of schema {found}, and those of this version are schema {expected}: run it again from the start"
+        "its fields have the names of schema {schema}, and those of this version are schema {expected}: run it again from the start"
     )]
-    Schema { found: u64, expected: u64 },
+    Schema { schema: u64, expected: u64 },
     #[error(transparent)]
     Difference(#[from] Difference),
     #[error(

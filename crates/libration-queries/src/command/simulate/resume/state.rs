@@ -63,9 +63,7 @@ impl State {
 /// Checks that a document has the names of fields of this version.
 pub(super) fn check_schema(document: &Value) -> Result<(), ResumeError> {
     match document["schema"].as_u64() {
-        Some(schema) if schema != json::SCHEMA => {
-            Err(ResumeError::Schema { found: schema, expected: json::SCHEMA })
-        }
+        Some(schema) if schema != json::SCHEMA => Err(ResumeError::Schema { schema, expected: json::SCHEMA }),
         _ => Ok(()),
     }
 }

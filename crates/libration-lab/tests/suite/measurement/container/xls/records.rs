@@ -5,8 +5,8 @@ use libration_lab::internals::measurement::container::xls::records::{Record, Rec
 #[test]
 fn small_numbers_are_whole_or_halves_of_doubles_or_hundredths_of_these() {
     let whole = |number: i32| (number << 2 | 2).cast_unsigned();
-    let found = [0x3ff0_0000, 0x3ff0_0001, whole(-12345), whole(12345) | 1].map(small_number);
-    assert_eq!(found.map(f64::to_bits), [1.0, 0.01, -12345.0, 123.45].map(f64::to_bits));
+    let numbers = [0x3ff0_0000, 0x3ff0_0001, whole(-12345), whole(12345) | 1].map(small_number);
+    assert_eq!(numbers.map(f64::to_bits), [1.0, 0.01, -12345.0, 123.45].map(f64::to_bits));
 }
 
 #[test]

@@ -11,12 +11,12 @@ use libration::perturbation::{Expansion, Gauge, SlowLimitCycle, expand, slow_flo
 /// Largest denominator that is tried for a numerical amplitude.
 const DENOMINATORS: i64 = 1000;
 
-pub(super) enum Known {
+pub(super) enum LibraryCycle {
     Fractions(Box<Expansion>),
     Digits(SlowLimitCycle),
 }
 
-impl Known {
+impl LibraryCycle {
     pub(super) fn new(
         question: &AveragingQuestion,
         order: usize,
@@ -38,7 +38,7 @@ impl Known {
         let amplitude = match self {
             Self::Fractions(expansion) => {
                 let is_plain = expansion.unit_squared == Rational::from(1);
-                expansion.harmonic(1).filter(|_| is_plain).and_then(|it| it.cos.first().cloned())
+                expansion.harmonic(1).filter(|_| is_plain).and_then(|harmonic| harmonic.cos.first().cloned())
             }
             Self::Digits(digits) => digits.amplitude.first().copied().and_then(fraction),
         };
@@ -56,8 +56,8 @@ impl Known {
         let amplitudes = cycle.orders.iter().zip(&decimals.amplitude);
         let frequencies = decimals.frequency.iter().enumerate();
         decimals.amplitude.len() == cycle.orders.len()
-            && amplitudes.into_iter().all(|(order, it)| near(order.amplitude_below.clone(), it))
-            && frequencies.into_iter().all(|(n, it)| near(cycle.frequency(question, n), it))
+            && amplitudes.into_iter().all(|(order, expected)| near(order.amplitude_below.clone(), expected))
+            && frequencies.into_iter().all(|(n, expected)| near(cycle.frequency(question, n), expected))
     }
 }
 
