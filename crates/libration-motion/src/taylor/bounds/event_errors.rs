@@ -164,21 +164,23 @@ impl ZeroPassage {
     }
 
     /// Enlarges the error of the time until the formula exceeds its error, with opposite signs, this long before and after the event. At a
-    /// zero of multiplicity m the error begins with a step of Newton's method, an m-th of the distance. Two zeros within the error have the same
-    /// sign on both sides, and their error remains.
+    /// zero of multiplicity m a step of Newton's method is an m-th of the distance, and a parabola is no approximation. Two zeros within the
+    /// error have the same sign on both sides, and their error remains.
     fn enclose(&mut self, mut at: impl FnMut(f64) -> Passing) {
         /// At a simple zero the formula is as large as its error, to rounding.
         const NEARLY: f64 = 0.9;
-        /// Up to zeros of order 32.
-        const FACTORS: [f64; 6] = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0];
+        /// Farther away the formula is not small next to its size in the step.
+        const DOUBLINGS: i32 = 12;
         let mut side = |late: f64| {
             let Passing { value, gradient, error, .. } = at(late);
             let is_known = value.abs() >= NEARLY * (error + self.scale * self.spread.of_sum(&gradient));
             if is_known { value.signum() } else { 0.0 }
         };
-        let encloses = |factor: &f64| side(-factor * self.late) * side(factor * self.late) < 0.0;
-        if let Some(factor) = FACTORS.into_iter().find(encloses).filter(|factor| *factor > 1.0) {
-            self.late *= factor;
+        let mut doubled = (0..DOUBLINGS).map(|doublings| libm::ldexp(self.late, doublings));
+        if let Some(late) =
+            doubled.find(|late| side(-late) * side(*late) < 0.0).filter(|late| *late > self.late)
+        {
+            self.late = late;
             self.is_bent = true;
         }
     }
