@@ -60,7 +60,7 @@ impl Corrector<'_> {
             }
             if size < CLOSE || (size > 0.5 * before && size <= ROUNDING) {
                 // Without a second map its change is assumed to be proportional to the change of position.
-                let map_slope = last.map_or(1.0, |image| (image.change(&image, units) / before).max(1.0));
+                let map_slope = last.map_or(1.0, |earlier| (image.change(&earlier, units) / before).max(1.0));
                 let is_stale = size <= self.stale;
                 let (image, stale) = if is_stale { (image, size) } else { (self.image(&unknowns)?, 0.0) };
                 return Some(Corrected { position: unknowns, image, first, map_slope, stale });
