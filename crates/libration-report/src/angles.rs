@@ -44,7 +44,7 @@ impl Picture {
             }
             for dot in picture.animation.iter_mut().flat_map(|animation| &mut animation.dots) {
                 let [x, y] = factors[dot.panel].map(|factor| factor.unwrap_or(1.0));
-                dot.places.iter_mut().for_each(|place| *place = (x * place.0, y * place.1));
+                dot.places.iter_mut().for_each(|position| *position = (x * position.0, y * position.1));
             }
             picture
         })

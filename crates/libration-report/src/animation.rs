@@ -34,7 +34,7 @@ struct BodyStage {
 }
 
 impl BodyStage {
-    fn place(&self, right: f64, up: f64) -> Place {
+    fn position(&self, right: f64, up: f64) -> Place {
         (self.em * (self.middle.0 + right), self.em * (self.middle.1 - up))
     }
 
@@ -43,7 +43,7 @@ impl BodyStage {
     }
 
     fn dot(&self, radius: f64, colour: &'static str, places: impl Iterator<Item = Place>) -> Moving {
-        let frames = places.map(|place| vec![place]).collect();
+        let frames = places.map(|position| vec![position]).collect();
         Moving { form: MovingForm::Dot { radius: radius * self.em }, colour, frames }
     }
 
@@ -51,14 +51,14 @@ impl BodyStage {
     fn plane(&self, bodies: &[Hanging]) -> Vec<Moving> {
         let places = || bodies.iter().flat_map(|body| body.places.iter().chain(&body.held));
         let (right, up) = (
-            Extent::enclosing(places().map(|place| place.0)),
-            Extent::enclosing(places().map(|place| place.1)),
+            Extent::enclosing(places().map(|position| position.0)),
+            Extent::enclosing(places().map(|position| position.1)),
         );
         let scale = right.scale_to(self.reach).min(up.scale_to(self.reach));
-        let on_canvas = |(x, y): &Place| self.place(scale * (x - right.middle), scale * (y - up.middle));
+        let on_canvas = |(x, y): &Place| self.position(scale * (x - right.middle), scale * (y - up.middle));
         let rods = bodies.iter().map(|body| {
             let ends = body.held.iter().zip(&body.places);
-            self.line(ends.map(|(held, place)| vec![on_canvas(held), on_canvas(place)]).collect())
+            self.line(ends.map(|(held, position)| vec![on_canvas(held), on_canvas(position)]).collect())
         });
         let ends = bodies.iter().map(|body| self.dot(AXLE, INK, body.held.iter().map(on_canvas)));
         let bodies = bodies
@@ -75,8 +75,9 @@ impl BodyStage {
         let above = 0.5 * RAIL * u32::try_from(places.len().saturating_sub(1)).map_or(0.0, f64::from);
         let heights = (0_u32..).map(|number| above - RAIL * f64::from(number));
         let rails = places.iter().zip(heights).enumerate().flat_map(|(number, (places, height))| {
-            let ends = vec![self.place(-self.reach, height), self.place(self.reach, height)];
-            let body = places.iter().map(|place| self.place(scale * (place - extent.middle), height));
+            let ends = vec![self.position(-self.reach, height), self.position(self.reach, height)];
+            let body =
+                places.iter().map(|coordinate| self.position(scale * (coordinate - extent.middle), height));
             [self.line(vec![ends]), self.dot(BODY, curve(number).colour, body)]
         });
         rails.collect()
@@ -107,6 +108,6 @@ impl Extent {
 fn in_axes(dot: &MovingDot, picture: &Picture, frame: &Frame, em: f64) -> Option<Moving> {
     let (panel, cell) = (picture.panels.get(dot.panel)?, frame.cells.get(dot.panel)?);
     let part = |(x, y): &Place| (panel.x.part(*x).clamp(0.0, 1.0), panel.y.part(*y).clamp(0.0, 1.0));
-    let frames = dot.places.iter().map(|place| vec![frame.place(cell, part(place), em)]).collect();
+    let frames = dot.places.iter().map(|position| vec![frame.position(cell, part(position), em)]).collect();
     Some(Moving { form: MovingForm::Dot { radius: DOT * em }, colour: dot.colour, frames })
 }

@@ -5,7 +5,7 @@ use crate::scene::Place;
 
 /// The pieces of a curve inside the frame, in fractions of the axes; points that are not numbers leave gaps.
 pub fn visible_pieces(series: &Series, panel: &Panel) -> Vec<Vec<Place>> {
-    let places: Vec<Place> = series.points.iter().map(|point| place(point, panel)).collect();
+    let places: Vec<Place> = series.points.iter().map(|point| position(point, panel)).collect();
     let mut pieces: Vec<Vec<Place>> = vec![];
     for pair in places.windows(2) {
         let Some((start, end)) = visible_part(pair[0], pair[1]) else { continue };
@@ -18,7 +18,7 @@ pub fn visible_pieces(series: &Series, panel: &Panel) -> Vec<Vec<Place>> {
 }
 
 /// The position of a point, in fractions of the axes.
-pub(crate) fn place(point: &Point, panel: &Panel) -> Place {
+pub(crate) fn position(point: &Point, panel: &Panel) -> Place {
     (panel.x.part(point.x), panel.y.part(point.y))
 }
 

@@ -82,15 +82,15 @@ pub(crate) fn placed(picture: &Picture, frame: &Frame, em: f64, named: &[Curve])
 
 /// The visible lines of a series, or its markers as lines of one point, in units of the letter size.
 fn outline(series: &Series, panel: &Panel, cell: &Cell, frame: &Frame) -> Vec<Vec<Place>> {
-    let place = |parts: Place| frame.place(cell, parts, 1.0);
+    let on_canvas = |parts: Place| frame.position(cell, parts, 1.0);
     match series.look.mark {
         Mark::Line(_) => {
             let pieces = clip::visible_pieces(series, panel).into_iter();
-            pieces.map(|piece| piece.into_iter().map(place).collect()).collect()
+            pieces.map(|piece| piece.into_iter().map(on_canvas).collect()).collect()
         }
         Mark::Markers(_) => {
             let shown = series.points.iter().filter(|point| clip::is_visible(point, panel));
-            shown.map(|point| vec![place(clip::place(point, panel))]).collect()
+            shown.map(|point| vec![on_canvas(clip::position(point, panel))]).collect()
         }
         Mark::Band => vec![],
     }
@@ -98,7 +98,7 @@ fn outline(series: &Series, panel: &Panel, cell: &Cell, frame: &Frame) -> Vec<Ve
 
 fn position(
     name: &str,
-    own: usize,
+    index: usize,
     outlines: &[Vec<Vec<Place>>],
     taken: &[Rectangle],
     cell: &Cell,
@@ -109,16 +109,16 @@ fn position(
         half: (0.5 * (frame.right - frame.left) - MARGIN, 0.5 * cell.height - MARGIN),
     };
     let half = (0.5 * width(name, 1.0), 0.5 * HEIGHT);
-    let tried = outlines[own].iter().flat_map(|piece| along(piece)).flat_map(|(at, normal)| {
+    let tried = outlines[index].iter().flat_map(|piece| along(piece)).flat_map(|(at, normal)| {
         let away = half.0 * normal.0.abs() + half.1 * normal.1.abs() + GAP;
         [away, -away].map(|away| Rectangle { middle: (at.0 + away * normal.0, at.1 + away * normal.1), half })
     });
     let possible = tried.filter(|rectangle| {
         inside.holds(rectangle)
             && taken.iter().all(|other| rectangle.gap(other) >= APART)
-            && outlines[own].iter().all(|piece| rectangle.distance(piece, FAR) >= 0.5 * GAP)
+            && outlines[index].iter().all(|piece| rectangle.distance(piece, FAR) >= 0.5 * GAP)
     });
-    let others = || outlines.iter().enumerate().filter(|(series, _)| *series != own);
+    let others = || outlines.iter().enumerate().filter(|(series, _)| *series != index);
     let rated = possible.map(|rectangle| {
         let distances = others().flat_map(|(_, pieces)| pieces).map(|piece| rectangle.distance(piece, FAR));
         (distances.fold(FAR, f64::min), rectangle)

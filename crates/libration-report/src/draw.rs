@@ -90,25 +90,25 @@ fn words(picture: &Picture, frame: &Frame, em: f64) -> Vec<Shape> {
 }
 
 fn of_panel(panel: &Panel, cell: &Cell, frame: &Frame, em: f64) -> Vec<Shape> {
-    let place = |parts: Place| frame.place(cell, parts, em);
+    let on_canvas = |parts: Place| frame.position(cell, parts, em);
     let mut shapes: Vec<Shape> = vec![];
-    shapes.extend(panel.series.iter().flat_map(|series| marks::of_series(series, panel, em, &place)));
-    let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0)].map(place).to_vec();
+    shapes.extend(panel.series.iter().flat_map(|series| marks::of_series(series, panel, em, &on_canvas)));
+    let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0)].map(on_canvas).to_vec();
     shapes.push(lines(ShapeRole::Frame, vec![corners], FRAME_LINE * em));
-    shapes.push(lines(ShapeRole::Tick, ticks(cell, em, &place), TICK_LINE * em));
-    shapes.extend(tick_labels(cell, em, &place));
+    shapes.push(lines(ShapeRole::Tick, ticks(cell, em, &on_canvas), TICK_LINE * em));
+    shapes.extend(tick_labels(cell, em, &on_canvas));
     shapes.extend(names(cell, frame, em));
     shapes
 }
 
 /// The ticks on all four sides.
-fn ticks(cell: &Cell, em: f64, place: &dyn Fn(Place) -> Place) -> Vec<Vec<Place>> {
+fn ticks(cell: &Cell, em: f64, on_canvas: &dyn Fn(Place) -> Place) -> Vec<Vec<Place>> {
     let across = |part: f64, length: f64| {
-        let ((x, bottom), (_, top)) = (place((part, 0.0)), place((part, 1.0)));
+        let ((x, bottom), (_, top)) = (on_canvas((part, 0.0)), on_canvas((part, 1.0)));
         [vec![(x, bottom), (x, bottom - length * em)], vec![(x, top), (x, top + length * em)]]
     };
     let up = |part: f64, length: f64| {
-        let ((left, y), (right, _)) = (place((0.0, part)), place((1.0, part)));
+        let ((left, y), (right, _)) = (on_canvas((0.0, part)), on_canvas((1.0, part)));
         [vec![(left, y), (left + length * em, y)], vec![(right, y), (right - length * em, y)]]
     };
     let of = |ticks: &crate::ticks::Ticks, side: &dyn Fn(f64, f64) -> [Vec<Place>; 2]| -> Vec<Vec<Place>> {
@@ -119,13 +119,13 @@ fn ticks(cell: &Cell, em: f64, place: &dyn Fn(Place) -> Place) -> Vec<Vec<Place>
     [of(&cell.x_ticks, &across), of(&cell.y_ticks, &up)].concat()
 }
 
-fn tick_labels(cell: &Cell, em: f64, place: &dyn Fn(Place) -> Place) -> Vec<Shape> {
+fn tick_labels(cell: &Cell, em: f64, on_canvas: &dyn Fn(Place) -> Place) -> Vec<Shape> {
     let below = cell.x_ticks.labelled.iter().filter(|_| cell.has_x_labels).map(|(part, label)| {
-        let (x, y) = place((*part, 0.0));
+        let (x, y) = on_canvas((*part, 0.0));
         text(ShapeRole::XTickLabel, label, (x, y + TICK_BASE * em), Anchor::Middle, em)
     });
     let beside = cell.y_ticks.labelled.iter().map(|(part, label)| {
-        let (x, y) = place((0.0, *part));
+        let (x, y) = on_canvas((0.0, *part));
         text(ShapeRole::YTickLabel, label, (x - TICK_GAP * em, y + HALF_DIGIT * em), Anchor::End, em)
     });
     below.chain(beside).collect()

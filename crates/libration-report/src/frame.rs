@@ -81,7 +81,7 @@ pub(crate) struct Cell {
 
 impl Frame {
     /// The position on the canvas for a position in fractions of the axes.
-    pub(crate) fn place(&self, cell: &Cell, (x, y): Place, em: f64) -> Place {
+    pub(crate) fn position(&self, cell: &Cell, (x, y): Place, em: f64) -> Place {
         let across = self.left + x * (self.right - self.left);
         (em * across, em * (cell.top + (1.0 - y) * cell.height))
     }
@@ -205,10 +205,10 @@ impl Words {
     fn new(picture: &Picture, wide: f64) -> Self {
         let across = wide - 2.0 * PADDING;
         let parameters: Vec<String> = picture.parameters.iter().map(|one| one.replace(' ', TIE)).collect();
-        let panels = picture.panels.iter().enumerate().map(|(place, panel)| Beside {
+        let panels = picture.panels.iter().enumerate().map(|(number, panel)| Beside {
             legend: Legend::new(panel, across),
             x_name: named(&panel.x, across),
-            has_x_labels: has_x_labels(panel, picture.panels.get(place + 1)),
+            has_x_labels: has_x_labels(panel, picture.panels.get(number + 1)),
         });
         Self {
             title: wrapped(&picture.title, TITLE, across),

@@ -36,7 +36,7 @@ impl Legend {
     pub(crate) fn new(panel: &Panel, across: f64) -> Self {
         let named = panel.series.iter().enumerate().filter(|(_, series)| !series.label.is_empty());
         let named: Vec<(usize, f64, f64)> =
-            named.map(|(place, series)| (place, sample(series), width(&series.label, 1.0))).collect();
+            named.map(|(number, series)| (number, sample(series), width(&series.label, 1.0))).collect();
         let whole = |&(_, sample, name): &(usize, f64, f64)| sample + GAP + name + APART;
         let in_one_row = named.iter().map(whole).sum::<f64>() - APART <= across;
         let widest = named.iter().map(whole).fold(0.0, f64::max);

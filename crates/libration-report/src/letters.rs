@@ -46,7 +46,11 @@ pub fn runs(text: &str) -> Vec<Run> {
 /// The character that is drawn, its size and its height.
 fn drawn(letter: char) -> (char, f64, f64) {
     let counterpart = |written: &str, letters: &str| {
-        written.chars().zip(letters.chars()).find(|(it, _)| *it == letter).map(|(_, drawn)| drawn)
+        written
+            .chars()
+            .zip(letters.chars())
+            .find(|(character, _)| *character == letter)
+            .map(|(_, drawn)| drawn)
     };
     if letter.is_ascii() {
         return (letter, 1.0, 0.0);
@@ -69,9 +73,9 @@ fn advance(letter: char) -> f64 {
 fn of_full_size(letter: char) -> f64 {
     let code = u32::from(letter);
     let run = RUNS.iter().rfind(|(first, _)| *first <= code);
-    let found = run.and_then(|(first, widths)| widths.get(usize::try_from(code - first).ok()?));
+    let thousandths = run.and_then(|(first, widths)| widths.get(usize::try_from(code - first).ok()?));
     // A character that the font lacks is drawn in another font, at most as wide as it is high.
-    1e-3 * f64::from(found.copied().unwrap_or(1000))
+    1e-3 * f64::from(thousandths.copied().unwrap_or(1000))
 }
 
 /// The text in lines of at most this width. Lines are broken at spaces, except no-break spaces; within a word only if the word alone is too

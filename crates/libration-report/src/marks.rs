@@ -11,28 +11,28 @@ const LEAST_SAMPLE: f64 = 3.0;
 /// Half the length of the caps of an error bar.
 const CAP: f64 = 0.18;
 
-/// The shapes of a series; `place` maps fractions of the axes to the canvas.
+/// The shapes of a series; `on_canvas` maps fractions of the axes to the canvas.
 pub(crate) fn of_series(
     series: &Series,
     panel: &Panel,
     em: f64,
-    place: &dyn Fn(Place) -> Place,
+    on_canvas: &dyn Fn(Place) -> Place,
 ) -> Vec<Shape> {
     let unit = em / USUAL_LETTER;
     match series.look.mark {
         Mark::Line(_) => {
             let pieces = clip::visible_pieces(series, panel);
-            let pieces = pieces.into_iter().map(|piece| piece.into_iter().map(place).collect()).collect();
+            let pieces = pieces.into_iter().map(|piece| piece.into_iter().map(on_canvas).collect()).collect();
             vec![line(ShapeRole::Curve, pieces, &series.look, unit)]
         }
         Mark::Markers(number) => {
             let shown: Vec<&Point> =
                 series.points.iter().filter(|point| clip::is_visible(point, panel)).collect();
-            let places = shown.iter().map(|point| place(clip::place(point, panel))).collect();
+            let places = shown.iter().map(|point| on_canvas(clip::position(point, panel))).collect();
             let markers = markers(ShapeRole::Markers, number, places, &series.look, unit);
-            bars(&shown, panel, &series.look, em, place).into_iter().chain([markers]).collect()
+            bars(&shown, panel, &series.look, em, on_canvas).into_iter().chain([markers]).collect()
         }
-        Mark::Band => vec![band(series, panel, place)],
+        Mark::Band => vec![band(series, panel, on_canvas)],
     }
 }
 
@@ -89,21 +89,21 @@ fn bars(
     panel: &Panel,
     look: &Look,
     em: f64,
-    place: &dyn Fn(Place) -> Place,
+    on_canvas: &dyn Fn(Place) -> Place,
 ) -> Option<Shape> {
     let mut pieces = vec![];
     for point in shown {
-        let here = clip::place(point, panel);
+        let here = clip::position(point, panel);
         let ends = |uncertainty: f64, value: f64, part: &dyn Fn(f64) -> f64| {
             [value - uncertainty, value + uncertainty].map(|end| part(end).clamp(0.0, 1.0))
         };
         if let Some(uncertainty) = point.x_uncertainty {
-            let [from, to] = ends(uncertainty, point.x, &|x| panel.x.part(x)).map(|x| place((x, here.1)));
+            let [from, to] = ends(uncertainty, point.x, &|x| panel.x.part(x)).map(|x| on_canvas((x, here.1)));
             let cap = |(x, y): Place| vec![(x, y - CAP * em), (x, y + CAP * em)];
             pieces.extend([vec![from, to], cap(from), cap(to)]);
         }
         if let Some(uncertainty) = point.y_uncertainty {
-            let [from, to] = ends(uncertainty, point.y, &|y| panel.y.part(y)).map(|y| place((here.0, y)));
+            let [from, to] = ends(uncertainty, point.y, &|y| panel.y.part(y)).map(|y| on_canvas((here.0, y)));
             let cap = |(x, y): Place| vec![(x - CAP * em, y), (x + CAP * em, y)];
             pieces.extend([vec![from, to], cap(from), cap(to)]);
         }
@@ -113,11 +113,11 @@ fn bars(
 }
 
 /// The outline of a band: along the lower ends of the uncertainties to the right, and back along the upper ones.
-fn band(series: &Series, panel: &Panel, place: &dyn Fn(Place) -> Place) -> Shape {
+fn band(series: &Series, panel: &Panel, on_canvas: &dyn Fn(Place) -> Place) -> Shape {
     let edge = |point: &Point, side: f64| {
         let y = point.y + side * point.y_uncertainty.unwrap_or(0.0);
         let (x, y) = (panel.x.part(point.x), panel.y.part(y));
-        place((x.clamp(0.0, 1.0), y.clamp(0.0, 1.0)))
+        on_canvas((x.clamp(0.0, 1.0), y.clamp(0.0, 1.0)))
     };
     let below = series.points.iter().map(|point| edge(point, -1.0));
     let above = series.points.iter().rev().map(|point| edge(point, 1.0));

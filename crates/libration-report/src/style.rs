@@ -45,12 +45,12 @@ pub fn curve(number: usize) -> Look {
 /// The looks of curves by the names of their families, such as a series with one, two and three terms: a family has one colour, and its curves
 /// differ by their dashes. A family of more than five curves goes on in other colours.
 pub fn of_families<'a>(families: impl IntoIterator<Item = &'a str>) -> Vec<Look> {
-    let mut known: Vec<&str> = vec![];
+    let mut names: Vec<&str> = vec![];
     let mut used: Vec<(usize, usize)> = vec![];
     for family in families {
-        let first = known.iter().position(|name| *name == family).unwrap_or_else(|| {
-            known.push(family);
-            known.len() - 1
+        let first = names.iter().position(|name| *name == family).unwrap_or_else(|| {
+            names.push(family);
+            names.len() - 1
         });
         let wish =
             |step: usize| ((first + step / DASHES.len()) % COLOURS.len(), (first + step) % DASHES.len());

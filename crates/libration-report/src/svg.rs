@@ -63,7 +63,12 @@ fn animation(scene: &Scene) -> String {
 
 fn moving(moving: &Moving, seconds: f64) -> String {
     let numbers = |number: fn(&Place) -> f64| -> Vec<String> {
-        moving.frames.iter().filter_map(|places| places.first()).map(|place| rounded(number(place))).collect()
+        moving
+            .frames
+            .iter()
+            .filter_map(|places| places.first())
+            .map(|position| rounded(number(position)))
+            .collect()
     };
     let colour = moving.colour;
     match moving.form {
@@ -82,7 +87,7 @@ fn moving(moving: &Moving, seconds: f64) -> String {
             )
         }
         MovingForm::Dot { radius } => {
-            let (x, y) = (numbers(|place| place.0), numbers(|place| place.1));
+            let (x, y) = (numbers(|position| position.0), numbers(|position| position.1));
             format!(
                 "<circle fill=\"{colour}\" r=\"{}\" cx=\"{}\" cy=\"{}\">{}{}</circle>\n",
                 rounded(radius),
@@ -211,8 +216,8 @@ fn spans(text: &Text) -> String {
 fn outline(places: &[Place], end: &str) -> String {
     let mut path = String::new();
     let mut last = None;
-    for place in places {
-        let corner = format!("{} {}", rounded(place.0), rounded(place.1));
+    for position in places {
+        let corner = format!("{} {}", rounded(position.0), rounded(position.1));
         if last.as_ref() == Some(&corner) && places.len() > 2 {
             continue;
         }

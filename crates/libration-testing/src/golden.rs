@@ -37,7 +37,7 @@ impl Table {
 impl<'a> Row<'a> {
     /// The cell in the column of this name.
     pub fn text(self, name: &str) -> &'a str {
-        let column = self.table.names.iter().position(|it| it == name);
+        let column = self.table.names.iter().position(|heading| heading == name);
         &self.cells[column.unwrap_or_else(|| panic!("no column {name}"))]
     }
 

@@ -64,7 +64,10 @@ pub struct Position {
 
 impl Position {
     pub(super) fn new(equation: &Equation, values: &[f64]) -> Self {
-        Self { names: equation.variables().iter().map(ToString::to_string).collect(), values: values.to_vec() }
+        Self {
+            names: equation.variables().iter().map(ToString::to_string).collect(),
+            values: values.to_vec(),
+        }
     }
 }
 

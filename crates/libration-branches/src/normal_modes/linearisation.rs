@@ -62,7 +62,11 @@ fn slopes(formulas: &[Expression], symbols: &[Symbol]) -> Vec<Vec<Expression>> {
 
 /// Returns `true` if formulas and their derivatives are the same on both sides of a state. Each number is compared by itself: its
 /// unit is that of no other, and a kink of a slow coordinate is small next to the stiffness of a fast one. None where one has no value.
-fn is_smooth(sides: [&[Expression]; 2], symbols: &[Symbol], rest: &Equilibrium) -> Result<Option<bool>, ModesError> {
+fn is_smooth(
+    sides: [&[Expression]; 2],
+    symbols: &[Symbol],
+    rest: &Equilibrium,
+) -> Result<Option<bool>, ModesError> {
     /// Largest relative difference: the state of a double zero of the accelerations has half the digits.
     const SAME: f64 = 1e-9;
     /// Rounding errors of terms that cancel, relative to the largest number of the same formula.
@@ -118,10 +122,10 @@ fn values<R: Ring>(ring: &R, tape: &Tape, at: &[R::Element]) -> Option<Vec<R::El
 fn in_fractions(
     slopes: &[Vec<Expression>],
     symbols: &[Symbol],
-    place: &[Rational],
+    rest: &[Rational],
 ) -> Option<Vec<Vec<Rational>>> {
-    let zeros = place.iter().map(|_| Rational::from(0));
-    let values: Vec<Rational> = place.iter().cloned().chain(zeros).collect();
+    let zeros = rest.iter().map(|_| Rational::from(0));
+    let values: Vec<Rational> = rest.iter().cloned().chain(zeros).collect();
     let value = |formula: &Expression| substituted(formula, symbols, &values).to_rational();
     slopes.iter().map(|row| row.iter().map(value).collect()).collect()
 }

@@ -91,22 +91,24 @@ impl FineLogarithms {
     /// The logarithms of a block of positive numbers.
     #[inline(always)]
     pub fn new(numbers: &Words) -> Self {
-        let mut it =
+        let mut logarithms =
             Self { exponents: [0.0; BLOCK], quotients: Words::ZERO, squares: Words::ZERO, sums: Words::ZERO };
         for i in 0..BLOCK {
             let ReducedArgument { exponent, q } = ReducedArgument::new(numbers.get(i));
             let square = q.square();
-            it.exponents[i] = exponent;
-            it.quotients.set(i, q);
-            it.squares.set(i, square);
-            it.sums.set(i, tail(square));
+            logarithms.exponents[i] = exponent;
+            logarithms.quotients.set(i, q);
+            logarithms.squares.set(i, square);
+            logarithms.sums.set(i, tail(square));
         }
         for leading in LEADING.iter().rev() {
             for i in 0..BLOCK {
-                it.sums.set(i, leading.plus_product(it.squares.get(i), it.sums.get(i)));
+                logarithms
+                    .sums
+                    .set(i, leading.plus_product(logarithms.squares.get(i), logarithms.sums.get(i)));
             }
         }
-        it
+        logarithms
     }
 
     /// Returns the logarithm at index `i`.

@@ -54,7 +54,9 @@ impl Tower {
         let height = element.len().trailing_zeros() as usize;
         let radicands: Vec<String> = self.squares[..height].iter().map(|square| self.text(square)).collect();
         let mut text = String::new();
-        for (number, coefficient) in element.iter().enumerate().filter(|(_, it)| !it.is_zero()) {
+        for (number, coefficient) in
+            element.iter().enumerate().filter(|(_, coefficient)| !coefficient.is_zero())
+        {
             let inside = radicands.iter().enumerate().filter(|(level, _)| number >> level & 1 == 1);
             let roots: Vec<String> = inside.map(|(_, radicand)| format!("sqrt({radicand})")).collect();
             let size = coefficient.magnitude();
@@ -136,7 +138,7 @@ impl Tower {
     /// The inverse, by means of the conjugate, whose product with the element lies in the field below.
     fn inverse(&self, a: &[Rational]) -> Option<Vec<Rational>> {
         if a.len() == 1 {
-            return Rational::from(1).checked_div(&a[0]).map(|it| vec![it]);
+            return Rational::from(1).checked_div(&a[0]).map(|reciprocal| vec![reciprocal]);
         }
         let (plain, root) = a.split_at(a.len() / 2);
         let square = &self.squares[plain.len().trailing_zeros() as usize];

@@ -213,8 +213,10 @@ impl Equation {
     fn solved(written: Vec<Sides>) -> Result<Self, EquationError> {
         refuse_without_value(&written)?;
         let highest = own_derivatives(&written)?;
-        if let Some(twice) =
-            highest.iter().enumerate().find_map(|(i, it)| highest[..i].contains(it).then_some(it))
+        if let Some(twice) = highest
+            .iter()
+            .enumerate()
+            .find_map(|(i, derivative)| highest[..i].contains(derivative).then_some(derivative))
         {
             return Err(EquationError::SolvedTwice(twice.clone()));
         }

@@ -35,7 +35,7 @@ impl Expression {
         match self {
             Self::Divide(_, divisor) if divisor.vanishes() => Some("division by zero"),
             Self::Power(base, exponent) => {
-                let below_zero = exponent.to_rational().is_some_and(|it| it.is_negative());
+                let below_zero = exponent.to_rational().is_some_and(|power| power.is_negative());
                 (below_zero && base.vanishes()).then_some("zero has no negative powers")
             }
             Self::Call(function, argument) => {

@@ -218,8 +218,8 @@ impl<'a> Parser<'a> {
     /// Returns `true` if only signs stand between a `^` and this lexeme.
     fn in_exponent(&self, lexeme: usize) -> bool {
         let before = self.lexemes[..lexeme].iter().rev();
-        let mut before = before.skip_while(|it| matches!(it.token, Token::Sign('+' | '-')));
-        before.next().is_some_and(|it| it.token == Token::Sign('^'))
+        let mut before = before.skip_while(|earlier| matches!(earlier.token, Token::Sign('+' | '-')));
+        before.next().is_some_and(|earlier| earlier.token == Token::Sign('^'))
     }
 
     fn factor(&mut self) -> Result<Node, ParseError> {

@@ -96,7 +96,7 @@ impl Displacement {
     /// Numerators and denominators of a and b.
     #[doc(hidden)]
     pub fn fractions(&self) -> [(IBig, UBig); 2] {
-        [&self.0.pi_multiple, &self.0.rest].map(|it| (it.numerator().clone(), it.denominator().clone()))
+        [&self.0.pi_multiple, &self.0.rest].map(|part| (part.numerator().clone(), part.denominator().clone()))
     }
 }
 

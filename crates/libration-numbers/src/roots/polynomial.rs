@@ -243,7 +243,7 @@ fn clusters(approximations: &[Complex], radii: &[f64]) -> Vec<usize> {
                 (approximations[j] - approximations[k]).abs() <= radii[j] + radii[k] || radii[j].is_nan();
             if touch && cluster[j] != cluster[k] {
                 let (old, new) = (cluster[j], cluster[k]);
-                cluster.iter_mut().filter(|it| **it == old).for_each(|it| *it = new);
+                cluster.iter_mut().filter(|label| **label == old).for_each(|label| *label = new);
             }
         }
     }

@@ -69,7 +69,7 @@ pub(super) fn pade(series: &[Rational], degree: usize) -> Option<([Vec<Rational>
     let matrix: Vec<Vec<Rational>> =
         rows.clone().map(|n| (1..=degree).map(|back| at(n, back)).collect()).collect();
     let right: Vec<Rational> = rows.map(|n| -at(n, 0)).collect();
-    let solution = solve(&Rationals, |it| it.to_f64().abs(), &matrix, &right)?;
+    let solution = solve(&Rationals, |number| number.to_f64().abs(), &matrix, &right)?;
     let denominator: Vec<Rational> = std::iter::once(Rational::from(1)).chain(solution).collect();
     let product = |n: usize| {
         denominator.iter().enumerate().fold(zero(), |sum, (back, q)| sum + q.clone() * at(n, back))

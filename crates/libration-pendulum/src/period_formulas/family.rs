@@ -137,7 +137,8 @@ impl Family {
         let one = || ([vec![Rational::from(1)], vec![Rational::from(1)]], series[1].clone());
         let (both, next) = pade(&series, degree).unwrap_or_else(one);
         let [text, latex] = [self.plain(), self.in_latex()].map(|notation| {
-            let [numerator, denominator] = both.each_ref().map(|it| notation.polynomial(it));
+            let [numerator, denominator] =
+                both.each_ref().map(|coefficients| notation.polynomial(coefficients));
             notation.quotient(&numerator, &denominator)
         });
         let both = both.map(Coefficients::new);
@@ -320,7 +321,7 @@ impl Notation {
         if self.is_latex {
             // Blanks, at which lines can be broken.
             let [numerator, denominator] =
-                [numerator, denominator].map(|it| it.replace('+', " +").replace('-', " -"));
+                [numerator, denominator].map(|part| part.replace('+', " +").replace('-', " -"));
             format!(r"\frac{{{numerator}}} {{{denominator}}}")
         } else {
             format!("({numerator})/({denominator})")

@@ -24,6 +24,7 @@
 //! Tolerances and crossovers are zeros of these errors in ln(θ0/(π − θ0)), searched from the bottom to the top. The coefficients of the series
 //! are exact integers over known denominators, from the Euler numbers, to any order.
 
+mod by_key;
 mod catalogue;
 #[doc(hidden)]
 pub(crate) mod error;
@@ -31,7 +32,6 @@ mod expansion;
 pub(crate) mod family;
 mod formula;
 mod grid;
-mod known;
 mod law;
 #[doc(hidden)]
 pub(crate) mod quick;
@@ -41,10 +41,10 @@ mod search;
 pub(crate) mod swing;
 mod worst;
 
+pub use by_key::catalogue;
 pub use expansion::{frequency_in_amplitude, period_in_amplitude, period_in_sine_squared};
 pub use family::{LARGEST_PADE, MOST_TERMS};
 pub use formula::{Attribution, Complexity, LeadingTerm, PeriodFormula, fractional_errors};
-pub use known::catalogue;
 pub use search::{Crossover, ErrorMaximum, ErrorTable};
 
 /// The abbreviations in [`PeriodFormula::text`] and [`PeriodFormula::derivation`], and the exact ratio in them.

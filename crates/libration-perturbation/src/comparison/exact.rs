@@ -108,7 +108,9 @@ fn pendulum_harmonic(angle: Angle, k: usize) -> f64 {
     let pendulum = Pendulum::from_angular_frequency(1.0).ok();
     let motion = pendulum.and_then(|pendulum| pendulum.released_from(angle).ok());
     let harmonics = motion.map(|motion| motion.harmonics(f64::MIN_POSITIVE, k / 2 + 1));
-    harmonics.map_or(f64::NAN, |it| it.terms.iter().find(|term| term.n == k).map_or(0.0, |term| term.angle))
+    harmonics.map_or(f64::NAN, |series| {
+        series.terms.iter().find(|term| term.n == k).map_or(0.0, |term| term.angle)
+    })
 }
 
 /// A periodic motion that is known without the series, for several of its quantities.

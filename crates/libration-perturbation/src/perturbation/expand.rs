@@ -263,9 +263,10 @@ impl<'a> SeriesProblem<'a> {
             _ if self.order <= PLAIN_ORDER => agrees_with_plain_rationals(model, set, watch)
                 .map(|agrees| (Certificate::PlainRationals, agrees)),
             Kind::Conservative => agrees_with_the_potential(&Rationals, model, set, PartialEq::eq, watch)
-                .map(|it| (Certificate::Potential, it)),
+                .map(|agrees| (Certificate::Potential, agrees)),
             kind @ (Kind::Reversible | Kind::Mirrored) if self.order <= first_integral_order(kind) => {
-                agrees_with_the_first_integral(model, set, watch).map(|it| (Certificate::FirstIntegral, it))
+                agrees_with_the_first_integral(model, set, watch)
+                    .map(|agrees| (Certificate::FirstIntegral, agrees))
             }
             _ => None,
         };
@@ -280,7 +281,7 @@ impl<'a> SeriesProblem<'a> {
         let solved = match self.oscillator.kind() {
             Kind::LimitCycle { .. } => self.limit_cycle_in_digits(watch),
             Kind::TwoSided => TwoSided::new(self.oscillator, self.order, self.gauge)
-                .and_then(|it| it.in_digits(watch))
+                .and_then(|two_sided| two_sided.in_digits(watch))
                 .ok_or(ExpansionError::NoDigits),
             kind => self.centre_in_digits(*kind != Kind::Conservative, watch).ok_or(ExpansionError::NoDigits),
         };

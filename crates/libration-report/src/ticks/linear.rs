@@ -37,7 +37,7 @@ fn multiples(axis: &Axis, step: f64, written: &dyn Fn(f64) -> String) -> Vec<(f6
     // Ticks at the ends are drawn in spite of rounding errors.
     let slack = 1e-6 * step;
     let first = ((axis.from - slack) / step).ceil();
-    let values = (0..=MOST).map(|place| (first + f64::from(place)) * step);
+    let values = (0..=MOST).map(|number| (first + f64::from(number)) * step);
     let held = values.take_while(|value| *value <= axis.to + slack);
     held.map(|value| (axis.part(value).clamp(0.0, 1.0), written(value))).collect()
 }

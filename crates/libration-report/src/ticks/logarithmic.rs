@@ -25,13 +25,13 @@ fn powers(axis: &Axis) -> Vec<i32> {
 }
 
 fn of_powers(axis: &Axis, held: &[i32], step: i32) -> Ticks {
-    let place = |value: f64| axis.part(value);
+    let part = |value: f64| axis.part(value);
     let (labelled, others): (Vec<i32>, Vec<i32>) = held.iter().partition(|power| *power % step == 0);
-    let label = |power: &i32| (place(10f64.powi(*power)).clamp(0.0, 1.0), power_of_ten(*power));
+    let label = |power: &i32| (part(10f64.powi(*power)).clamp(0.0, 1.0), power_of_ten(*power));
     let labelled: Vec<_> = labelled.iter().map(label).collect();
     let minor = match step {
         1 => between(axis, held),
-        _ => others.iter().map(|power| place(10f64.powi(*power))).collect(),
+        _ => others.iter().map(|power| part(10f64.powi(*power))).collect(),
     };
     Ticks { labelled, minor }
 }

@@ -19,13 +19,13 @@ const MOST: usize = 10;
 
 /// The possible sets of ticks, from the closest to the widest spacing; each has at least two ticks.
 pub fn choices(axis: &Axis) -> Vec<Ticks> {
-    let found = match (axis.scale, &axis.units) {
+    let candidates = match (axis.scale, &axis.units) {
         (Scale::Logarithmic, _) => logarithmic::choices(axis),
         (_, Units::Names(names)) => vec![named(axis, names)],
         (_, units) => linear::choices(axis, units),
     };
     let (few, many): (Vec<Ticks>, Vec<Ticks>) =
-        found.into_iter().partition(|ticks| ticks.labelled.len() <= MOST);
+        candidates.into_iter().partition(|ticks| ticks.labelled.len() <= MOST);
     if few.is_empty() { many.into_iter().last().into_iter().collect() } else { few }
 }
 
@@ -33,9 +33,9 @@ pub fn choices(axis: &Axis) -> Vec<Ticks> {
 pub fn chosen(axis: &Axis, length: f64, extent: impl Fn(&str) -> f64) -> Ticks {
     let mut choices = choices(axis);
     let fits = choices.iter().position(|ticks| ticks.length_needed(&extent) <= length);
-    let place = fits.unwrap_or(choices.len().saturating_sub(1));
+    let index = fits.unwrap_or(choices.len().saturating_sub(1));
     let none = Ticks { labelled: vec![], minor: vec![] };
-    if choices.is_empty() { none } else { choices.swap_remove(place) }
+    if choices.is_empty() { none } else { choices.swap_remove(index) }
 }
 
 /// The least length of an axis that holds the labels of its smallest set of ticks.
@@ -49,7 +49,7 @@ pub(crate) fn labels(axis: &Axis) -> impl Iterator<Item = String> {
 }
 
 fn named(axis: &Axis, names: &[String]) -> Ticks {
-    let labelled = (1_u32..).zip(names).map(|(place, name)| (axis.part(f64::from(place)), name.clone()));
+    let labelled = (1_u32..).zip(names).map(|(number, name)| (axis.part(f64::from(number)), name.clone()));
     Ticks { labelled: labelled.collect(), minor: vec![] }
 }
 

@@ -62,7 +62,7 @@ impl<V: Ord + Clone> Polynomial<V> {
     pub(crate) fn coefficients_in(&self, variable: &V) -> Option<Vec<Rational>> {
         const LARGEST_DEGREE: u32 = 1000;
         let degree = self.degree();
-        if degree > LARGEST_DEGREE || self.has(|it| it != variable) {
+        if degree > LARGEST_DEGREE || self.has(|other| other != variable) {
             return None;
         }
         let mut coefficients = vec![Rational::from(0); degree as usize + 1];

@@ -92,7 +92,8 @@ impl<V: Ord + Clone> Monomial<V> {
 /// it, and 1 comes first.
 impl<V: Ord> Ord for Monomial<V> {
     fn cmp(&self, other: &Self) -> Ordering {
-        let degree = |it: &Self| it.factors.iter().map(|(_, exponent)| u64::from(*exponent)).sum::<u64>();
+        let degree =
+            |monomial: &Self| monomial.factors.iter().map(|(_, exponent)| u64::from(*exponent)).sum::<u64>();
         let by_power = |((x, i), (y, j)): (&(V, u32), &(V, u32))| x.cmp(y).then_with(|| j.cmp(i));
         let pairs = || self.factors.iter().zip(&other.factors).map(by_power);
         let by_degree = degree(self).cmp(&degree(other));

@@ -92,7 +92,10 @@ fn number_of(member: &Member<'_>, index: Option<(&str, u32)>) -> Result<i64, Equ
     if let Some(letter) = formula.symbols().pop_first() {
         return Err(EquationError::IndexWithoutRange { name: name(), letter });
     }
-    let whole = formula.to_rational().filter(|it| it.is_integer()).and_then(|it| it.to_string().parse().ok());
+    let whole = formula
+        .to_rational()
+        .filter(|rational| rational.is_integer())
+        .and_then(|rational| rational.to_string().parse().ok());
     whole.ok_or_else(|| EquationError::IndexNotWhole {
         name: name(),
         value: formula.to_string(),
@@ -209,10 +212,12 @@ fn own_members(equations: &[Sides]) -> BTreeSet<String> {
         members.map(|symbol| symbol.name).collect()
     };
     let accelerated: BTreeSet<String> = equations.iter().flat_map(|sides| members(sides, 2)).collect();
-    let families: BTreeSet<&str> = accelerated.iter().filter_map(|it| Some(Member::of(it)?.family)).collect();
+    let families: BTreeSet<&str> =
+        accelerated.iter().filter_map(|name| Some(Member::of(name)?.family)).collect();
     let slow = equations.iter().filter(|sides| symbols(sides).all(|symbol| symbol.primes < 2));
     let rates = slow.flat_map(|sides| members(sides, 1));
-    let slow_members = rates.filter(|name| Member::of(name).is_some_and(|it| !families.contains(it.family)));
+    let slow_members =
+        rates.filter(|name| Member::of(name).is_some_and(|member| !families.contains(member.family)));
     slow_members.chain(accelerated.iter().cloned()).collect()
 }
 

@@ -41,7 +41,8 @@ impl Order {
 pub(super) fn own_derivatives(written: &[Sides]) -> Result<Vec<Symbol>, EquationError> {
     let symbols: Vec<BTreeSet<Symbol>> = written.iter().map(symbols).collect();
     let accelerations = symbols.iter().map(own_acceleration).collect::<Result<Vec<_>, _>>()?;
-    let accelerated: BTreeSet<&str> = accelerations.iter().flatten().map(|it| it.name.as_str()).collect();
+    let accelerated: BTreeSet<&str> =
+        accelerations.iter().flatten().map(|symbol| symbol.name.as_str()).collect();
     let derivatives =
         written.iter().zip(&symbols).zip(&accelerations).map(|((sides, symbols), acceleration)| {
             let derivative = match acceleration {

@@ -50,8 +50,8 @@ impl Parser<'_> {
         }
         self.free = true;
         // Zero becomes the second operand, so that the result contains |x| for the formula x itself.
-        let [a, b] =
-            if one.tree.is_zero() { [&other, &one] } else { [&one, &other] }.map(|it| it.tree.clone());
+        let [a, b] = if one.tree.is_zero() { [&other, &one] } else { [&one, &other] }
+            .map(|operand| operand.tree.clone());
         let distance = Expression::Call(Function::Abs, Box::new(difference(a.clone(), b.clone())));
         let tree = quotient(join(sum(a, b), distance), Expression::from(2));
         let mut node = Node { tree, levels: one.levels.max(other.levels) };

@@ -245,7 +245,8 @@ impl<'a> SlowFlowProblem<'a> {
             }
             (Some(omega0), true) => {
                 let omega0 = PiPowers { numbers: Rationals }.term(0, omega0);
-                let number = |a: &PiPolynomial<Rational>| pi_sum(a, |it| Surd::from(it.clone()));
+                let number =
+                    |a: &PiPolynomial<Rational>| pi_sum(a, |coefficient| Surd::from(coefficient.clone()));
                 self.averaged(&HalfSwings::new(Rationals), omega0, number, watch)
             }
             (None, false) => {
@@ -298,7 +299,8 @@ impl<'a> SlowFlowProblem<'a> {
         if degree(self.force.oscillator.acceleration()).is_none_or(|degree| degree > 1) {
             return 0;
         }
-        let Some(degree) = degree(&self.force.acceleration).and_then(|it| usize::try_from(it).ok()) else {
+        let Some(degree) = degree(&self.force.acceleration).and_then(|degree| usize::try_from(degree).ok())
+        else {
             return 0;
         };
         let powers = if degree > 1 { (self.order - 1) / (degree - 1) } else { self.parameter_order };

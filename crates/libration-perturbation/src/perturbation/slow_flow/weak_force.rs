@@ -82,7 +82,7 @@ impl FirstOrder {
 fn small_parameter(equation: &Equation, named: Option<&str>) -> Result<String, SlowFlowError> {
     let mut open: Vec<String> = equation.parameters().into_iter().collect();
     let chosen = match named {
-        Some(name) => open.iter().position(|it| it == name),
+        Some(name) => open.iter().position(|parameter| parameter == name),
         None => (open.len() == 1).then_some(0),
     };
     match chosen {

@@ -54,7 +54,8 @@ impl AnyWell {
             power,
             coefficient: 2.0 * factor * libm::pow(unit, count(power)) / count(power + 2),
         };
-        let weights: Vec<Weight> = (1..).zip(factors).map(weight).filter(|it| it.coefficient > 0.0).collect();
+        let weights: Vec<Weight> =
+            (1..).zip(factors).map(weight).filter(|term| term.coefficient > 0.0).collect();
         let critical = 1.0 - value(&weights, 1.0);
         let limit = place_of_one(|x| x * x * (1.0 + value(&weights, x)) / critical)?;
         let powers = std::iter::successors(Some(1.0), |power| Some(power * critical));
@@ -79,7 +80,7 @@ impl AnyWell {
         let energy = x * x * (1.0 + value(&self.weights, x)) / self.critical;
         let sum = self.of_energy.iter().rev().fold(0.0, |sum, term| sum * energy + term);
         // At a larger energy those beyond are together less than the largest dx/ds.
-        let larger = self.beyond.iter().filter(|it| it.energy > energy);
+        let larger = self.beyond.iter().filter(|point| point.energy > energy);
         let beyond = larger.map(|larger| larger.slope * libm::pow(energy / larger.energy, count(TERMS)));
         sum + beyond.fold(f64::INFINITY, f64::min)
     }

@@ -67,7 +67,7 @@ impl OddWell {
                 sum.resize(sum.len().max(earlier.len() + k), 0.0);
                 for (power, coefficient) in earlier.iter().enumerate() {
                     // 1 + s² + … + s^(2k).
-                    sum[power..=power + k].iter_mut().for_each(|it| *it += weight * coefficient);
+                    sum[power..=power + k].iter_mut().for_each(|entry| *entry += weight * coefficient);
                 }
             }
             series.push(sum);

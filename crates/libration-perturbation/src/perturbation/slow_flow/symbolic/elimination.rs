@@ -50,7 +50,7 @@ fn determinant(letters: &Letters, rows: &[Vec<Sum>]) -> Sum {
                 row.iter()
                     .enumerate()
                     .filter(|(index, _)| *index != column)
-                    .map(|(_, it)| it.clone())
+                    .map(|(_, entry)| entry.clone())
                     .collect()
             })
             .collect();

@@ -119,7 +119,7 @@ impl Setting {
         let whole = if self.ratios.is_empty() { self.ratios_of(springs)? } else { self.ratios.clone() };
         let (p, q) = self.resonance;
         let scale = q / greatest_common_divisor(q, whole[0]);
-        let harmonics: Vec<i64> = whole.iter().map(|it| it * scale).collect();
+        let harmonics: Vec<i64> = whole.iter().map(|ratio| ratio * scale).collect();
         let drive = p * harmonics[0] / q;
         Ok((harmonics, drive))
     }
@@ -131,7 +131,7 @@ impl Setting {
         let ratio = |spring: &Sum| {
             let (leading, first) = springs[0].half_powers().next()?;
             let (_, mine) = spring.half_powers().find(|(powers, _)| *powers == leading)?;
-            let square = mine.checked_div(first).filter(|it| !it.is_negative())?;
+            let square = mine.checked_div(first).filter(|square| !square.is_negative())?;
             let is_multiple = letters.subtract(spring, &letters.scaled(&springs[0], &square)).is_zero();
             let root = letters.ring.power(&letters.number(square), &half).filter(|_| is_multiple)?;
             let (powers, factor) = root.as_single_term()?;
@@ -209,9 +209,9 @@ impl Setting {
         let letters = &self.letters;
         let position = letters.index_of(Column::Position, coordinate);
         let mut moving = [Column::Order, Column::Wave, Column::PositionSign, Column::VelocitySign]
-            .map(|it| letters.index(it))
+            .map(|column| letters.index(column))
             .to_vec();
-        moving.extend([Column::Position, Column::Velocity].map(|it| letters.indices(it)).concat());
+        moving.extend([Column::Position, Column::Velocity].map(|column| letters.indices(column)).concat());
         letters.part(sum, |powers| {
             moving.iter().all(|&column| powers[column] == if column == position { 2 } else { 0 })
         })
@@ -420,8 +420,9 @@ pub(super) fn terms(letters: &Letters, sum: &Sum) -> Vec<SmallForceTerm> {
             factor.clone()
         });
         let exponents = wanted[..moving].chunks_exact(2);
-        let powers =
-            exponents.map(|pair| [pair[0], pair[1]].map(|it| usize::try_from(it).unwrap_or(0))).collect();
+        let powers = exponents
+            .map(|pair| [pair[0], pair[1]].map(|exponent| usize::try_from(exponent).unwrap_or(0)))
+            .collect();
         SmallForceTerm {
             coefficient,
             powers,
@@ -438,7 +439,7 @@ fn whole_numbers(fractions: &[Rational]) -> Option<Vec<i64>> {
     let whole = |by: i64| {
         let products = fractions.iter().map(|fraction| {
             let number = (fraction.clone() * Rational::from(by)).to_natural()?;
-            i64::try_from(number).ok().filter(|it| *it <= largest)
+            i64::try_from(number).ok().filter(|multiple| *multiple <= largest)
         });
         products.collect::<Option<Vec<i64>>>()
     };

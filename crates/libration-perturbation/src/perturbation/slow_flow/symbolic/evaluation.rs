@@ -185,7 +185,7 @@ impl SlowFlowAt<'_> {
             // Both have the sign of their denominator.
             let sign = steady.denominator.as_ref().map_or(1.0, |below| number(below, &values).signum());
             let [cosine, sine] =
-                parts.each_ref().map(|it| sign * to_order(it, steady.order - steady.coupling));
+                parts.each_ref().map(|part| sign * to_order(part, steady.order - steady.coupling));
             libm::remainder(libm::atan2(sine, cosine) / double(*m), TAU)
         });
         let is_stable = trace < 0.0 && (steady.determinant.is_none() || determinant > 0.0);
@@ -206,7 +206,8 @@ impl SlowFlowAt<'_> {
     /// The lowest and the highest order of the slow flow.
     pub(super) fn orders(&self) -> (usize, usize) {
         let steady = &self.sums.steady;
-        let [lowest, order] = [steady.lowest, steady.order].map(|it| usize::try_from(it).unwrap_or(0));
+        let [lowest, order] =
+            [steady.lowest, steady.order].map(|exponent| usize::try_from(exponent).unwrap_or(0));
         (lowest, order)
     }
 

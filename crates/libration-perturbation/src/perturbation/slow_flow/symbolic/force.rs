@@ -189,7 +189,7 @@ impl Reader<'_> {
     fn kink(&self, function: Function, argument: &Sum) -> Option<Sum> {
         let letters = self.letters;
         let (powers, factor) = argument.as_single_term()?;
-        let kinked = [Column::Position, Column::Velocity].map(|it| powers[letters.index(it)]);
+        let kinked = [Column::Position, Column::Velocity].map(|column| powers[letters.index(column)]);
         let sign = match kinked {
             [2, 0] => Column::PositionSign,
             [0, 2] => Column::VelocitySign,

@@ -29,7 +29,7 @@ fn mean(letters: &Letters, [m, n]: [usize; 2], signs: [bool; 2]) -> Sum {
 /// ∫ cosᵐ ψ·sinⁿ ψ dψ over a quarter of the period, in units of π/2 where m and n are even.
 fn quarter(m: usize, n: usize) -> Rational {
     let fraction = |above: usize, below: usize| {
-        let [above, below] = [above, below].map(|it| i64::try_from(it).unwrap_or(1));
+        let [above, below] = [above, below].map(|number| i64::try_from(number).unwrap_or(1));
         Rational::new(above, below).unwrap_or_else(|| Rational::from(0))
     };
     match (m, n) {

@@ -91,7 +91,7 @@ impl Letters {
 
     /// The index of a column of a coordinate; that of waves is for e^{iφ} in the further coordinates.
     pub(super) fn index_of(&self, column: Column, coordinate: usize) -> usize {
-        let among_further = OF_COORDINATE.iter().position(|it| *it == column);
+        let among_further = OF_COORDINATE.iter().position(|other| *other == column);
         match (coordinate.checked_sub(1), among_further) {
             (Some(further), Some(offset)) => self.given + COLUMNS + further * OF_COORDINATE.len() + offset,
             _ => self.index(column),
@@ -278,8 +278,8 @@ impl Letters {
 
     /// The complex conjugate.
     pub(super) fn conjugate(&self, a: &Sum) -> Sum {
-        let [wave, imaginary] = [Column::Wave, Column::Imaginary].map(|it| self.index(it));
-        let [phasors, conjugates] = [Column::Phasor, Column::Conjugate].map(|it| self.indices(it));
+        let [wave, imaginary] = [Column::Wave, Column::Imaginary].map(|column| self.index(column));
+        let [phasors, conjugates] = [Column::Phasor, Column::Conjugate].map(|column| self.indices(column));
         self.changed(a, |powers, factor| {
             for (&z, &conjugate) in phasors.iter().zip(&conjugates) {
                 powers.swap(z, conjugate);

@@ -57,7 +57,7 @@ impl PhaseSum {
         let each = self
             .harmonics
             .iter()
-            .map(|(&k, parts)| (k, parts.each_ref().map(|it| letters.times(it, factor))));
+            .map(|(&k, parts)| (k, parts.each_ref().map(|part| letters.times(part, factor))));
         Self { harmonics: each.collect() }
     }
 

@@ -165,7 +165,7 @@ impl Forced<'_> {
         });
         // All but the order of the coefficient is left for the product.
         let one = letters.number(Rational::from(1));
-        let product = factors.fold(one, |product, it| letters.product(&product, it, n - term.order));
+        let product = factors.fold(one, |product, factor| letters.product(&product, factor, n - term.order));
         letters.product(&term.coefficient, &product, n)
     }
 

@@ -77,8 +77,10 @@ impl Setting {
         let [first, further @ ..] = names.coordinates.as_slice() else {
             return Err(Error::SeveralEquations(0));
         };
-        let further: Vec<[String; 2]> =
-            further.iter().map(|it| [it.detuning.clone(), it.amplitude.clone()]).collect();
+        let further: Vec<[String; 2]> = further
+            .iter()
+            .map(|coordinate| [coordinate.detuning.clone(), coordinate.amplitude.clone()])
+            .collect();
         let letters = Letters::new(&open, [&names.natural, &names.detuning, &first.amplitude], &further);
         let order = |name: &str| small.iter().find(|(other, _)| other == name).map_or(0, |(_, order)| *order);
         let symbols =
@@ -100,9 +102,10 @@ impl Setting {
 fn ratios(given: &[u32], coordinates: usize) -> Result<Vec<i64>, Error> {
     let ratios: Vec<i64> = match (given, coordinates) {
         ([], 1) => vec![1],
-        _ => given.iter().map(|&it| i64::from(it)).collect(),
+        _ => given.iter().map(|&ratio| i64::from(ratio)).collect(),
     };
-    let is_known = ratios.len() == coordinates && given.iter().all(|it| (1..=LARGEST_RESONANCE).contains(it));
+    let is_known =
+        ratios.len() == coordinates && given.iter().all(|ratio| (1..=LARGEST_RESONANCE).contains(ratio));
     if !given.is_empty() && !is_known {
         return Err(Error::Ratios { given: given.to_vec(), coordinates });
     }

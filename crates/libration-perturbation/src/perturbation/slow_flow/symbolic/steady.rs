@@ -235,7 +235,7 @@ impl SteadyEquations<'_> {
         for _ in 0..=self.order - self.lowest + 1 {
             let residuals = rest.each_ref().map(|rest| self.at_phase(rest, &phase, self.order));
             let next = [minor(d, &residuals[0], b, &residuals[1]), minor(a, &residuals[1], c, &residuals[0])];
-            let next = next.map(|it| letters.to_order(&letters.times(&it, &inverse), highest));
+            let next = next.map(|component| letters.to_order(&letters.times(&component, &inverse), highest));
             if next == phase {
                 return Some(phase);
             }

@@ -205,7 +205,7 @@ impl Written<'_> {
         let mut all: Vec<[i64; 2]> = sum.half_powers().map(|(powers, _)| self.wave_numbers(powers)).collect();
         all.retain(|[j, m]| *j > 0 || (*j == 0 && *m >= 0));
         let frequency = |[j, m]: &[i64; 2]| (q * j + self.forced.drive_harmonic * m).abs();
-        all.sort_by_key(|it| (frequency(it) != q, frequency(it), *it));
+        all.sort_by_key(|wave| (frequency(wave) != q, frequency(wave), *wave));
         all.dedup();
         let mut text = String::new();
         for numbers in all {

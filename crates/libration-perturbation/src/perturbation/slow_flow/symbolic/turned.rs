@@ -18,7 +18,7 @@ pub(super) fn turned_jacobian(
     let by = |sum: &Sum, factor: i64| letters.scaled(sum, &Rational::from(factor));
     let direction = [1, -1].into_iter().find(|&sign| *b == by(c, sign) && *a == by(d, -sign))?;
     let mut powers: Vec<i64> =
-        matrix.iter().flatten().flat_map(|it| letters.exponents(it, Column::Amplitude)).collect();
+        matrix.iter().flatten().flat_map(|entry| letters.exponents(entry, Column::Amplitude)).collect();
     powers.dedup();
     let &[k] = powers.as_slice() else { return None };
     let columns = [Column::Cosine, Column::Sine].map(|column| letters.index(column));
