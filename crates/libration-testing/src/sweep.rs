@@ -70,7 +70,7 @@ pub struct Limits {
     pub full: Range<f64>,
     /// Limits for the full sample with the seed of the test. The sample is always the same, so that these limits may be narrower than
     /// chance requires.
-    pub own: Range<f64>,
+    pub seeded: Range<f64>,
 }
 
 impl Limits {
@@ -82,7 +82,7 @@ impl Limits {
         let range = match (is_full(), std::env::var("LIBRATION_SEED").is_ok()) {
             (false, _) => &self.usual,
             (true, true) => &self.full,
-            (true, false) => &self.own,
+            (true, false) => &self.seeded,
         };
         eprintln!("{what}: {number} in {range:?}");
         assert!(range.contains(&number), "{what}: {number} is not in {range:?}");

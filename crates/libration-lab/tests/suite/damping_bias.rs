@@ -57,7 +57,7 @@ fn the_synthetic_motion_is_that_of_an_independent_integrator() {
 /// the 24 records and T0 of ten were beyond 2.5, by up to 15 and 33 uncertainties.
 #[test]
 fn beta_is_one_under_each_law_of_damping_in_a_sweep() {
-    let limits = Limits { usual: 15.0..24.5, full: 136.0..160.5, own: 152.0..160.5 };
+    let limits = Limits { usual: 15.0..24.5, full: 136.0..160.5, seeded: 152.0..160.5 };
     let mut random = Random::seeded(sweep::seed(0xd4a9));
     let number = sweep::number(6, 40);
     let (mut near, mut period_near) = (0, 0);

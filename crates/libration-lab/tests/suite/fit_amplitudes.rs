@@ -474,9 +474,9 @@ const OF_SEVERAL_LAWS: [Range<f64>; 3] = [0.49..0.98, 0.66..0.87, 0.62..0.75];
 
 fn check(coverage: &Coverage, what: &str, [usual, full, seeded]: [Range<f64>; 3]) {
     // The standard deviation of 95 % intervals is 1.1 % of 400 draws, and 2.8 % of 60.
-    let wide = Limits { usual: 0.85..1.001, full: 0.91..0.991, own: 0.92..0.985 };
+    let wide = Limits { usual: 0.85..1.001, full: 0.91..0.991, seeded: 0.92..0.985 };
     wide.check(coverage.within[1] / coverage.draws, &format!("{what}, 95 %"));
-    Limits { usual, full, own: seeded }.check(coverage.within[0] / coverage.draws, &format!("{what}, 68 %"));
+    Limits { usual, full, seeded }.check(coverage.within[0] / coverage.draws, &format!("{what}, 68 %"));
 }
 
 #[test]

@@ -249,13 +249,13 @@ impl Coverage {
     fn check(&self, what: &str) {
         // The standard deviation is 1.1 % of 400 draws, and 2.2 % of 100.
         self.check_with(what, [0.87..1.001, 0.91..0.991, 0.92..0.981]);
-        let limits = Limits { usual: 0.53..0.84, full: 0.59..0.78, own: 0.62..0.741 };
+        let limits = Limits { usual: 0.53..0.84, full: 0.59..0.78, seeded: 0.62..0.741 };
         limits.check(self.within[0] / self.draws, &format!("{what}, 68 %"));
     }
 
     /// Checks the intervals of 95 % alone.
     fn check_with(&self, what: &str, [usual, full, seeded]: [Range<f64>; 3]) {
-        Limits { usual, full, own: seeded }.check(self.within[1] / self.draws, &format!("{what}, 95 %"));
+        Limits { usual, full, seeded }.check(self.within[1] / self.draws, &format!("{what}, 95 %"));
     }
 }
 

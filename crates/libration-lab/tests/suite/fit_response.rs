@@ -141,8 +141,8 @@ fn draws(
 /// alarm has the probability 1e-6, as each of eight tails has 1.25e-7: `scipy.stats.chi2.ppf(1.25e-7, 3*n)` and `isf`.
 #[test]
 fn stated_uncertainties_cover_the_truth_in_a_sweep() {
-    let one = Limits { usual: 0.9..61.8, full: 13.1..116.6, own: 19.0..78.0 };
-    let three = Limits { usual: 11.6..112.0, full: 72.7..249.2, own: 72.7..249.2 };
+    let one = Limits { usual: 0.9..61.8, full: 13.1..116.6, seeded: 19.0..78.0 };
+    let three = Limits { usual: 11.6..112.0, full: 72.7..249.2, seeded: 72.7..249.2 };
     let (number, seed) = (sweep::number(5, 16), sweep::seed(0x5eed));
     let mut all = 0.0;
     for (index, (with_phases, part)) in (0..).zip([(false, 0.003), (false, 0.03), (true, 0.01)]) {
@@ -158,7 +158,7 @@ fn stated_uncertainties_cover_the_truth_in_a_sweep() {
 /// A sum of n draws is χ² with 4n degrees of freedom, of 5 draws or of 16, and each of two tails has the probability 5e-7. The top of this resonance was not reached, so that phases tell the damping.
 #[test]
 fn stated_uncertainties_cover_a_cubic_coefficient_in_a_sweep() {
-    let limits = Limits { usual: 2.36..67.3, full: 22.9..135.4, own: 30.0..98.0 };
+    let limits = Limits { usual: 2.36..67.3, full: 22.9..135.4, seeded: 30.0..98.0 };
     let seeded = [sweep::number(5, 16), sweep::seed(0x5eed)];
     let fits = draws(duffing(), ResponseModel::Duffing, 0.01, true, seeded);
     limits.check(fits.map(|fit| stated_distance_squared(&fit, &DUFFING)).sum(), "four parameters");
@@ -200,10 +200,10 @@ fn unstated_draws(
 #[test]
 fn amplitudes_and_phases_scatter_each_by_their_own_in_a_sweep() {
     const TRUTH: [f64; 3] = [5.0, 0.5, 0.2];
-    let of_three = Limits { usual: 4.83..154.5, full: 96.2..372.1, own: 120.0..256.0 };
-    let of_omega = Limits { usual: 0.179..98.4, full: 18.4..182.4, own: 33.0..95.0 };
-    let of_scatter = Limits { usual: 0.570..1.596, full: 0.805..1.223, own: 0.81..1.21 };
-    let together = Limits { usual: 35.5..245.8, full: 382.2..851.1, own: 382.2..851.1 };
+    let of_three = Limits { usual: 4.83..154.5, full: 96.2..372.1, seeded: 120.0..256.0 };
+    let of_omega = Limits { usual: 0.179..98.4, full: 18.4..182.4, seeded: 33.0..95.0 };
+    let of_scatter = Limits { usual: 0.570..1.596, full: 0.805..1.223, seeded: 0.81..1.21 };
+    let together = Limits { usual: 35.5..245.8, full: 382.2..851.1, seeded: 382.2..851.1 };
     let (number, seed) = (sweep::number(10, 60), sweep::seed(0x5eed));
     let draws = |index: u64, of_phase: &dyn Fn(f64) -> f64| {
         unstated_draws(5e-4, of_phase, [number, seed.wrapping_add(index)])
@@ -229,7 +229,7 @@ fn amplitudes_and_phases_scatter_each_by_their_own_in_a_sweep() {
     // The lower limits are half those above: the variances are supposed to be stated at most twice too large.
     let fits = draws(3, &|amplitude| 5e-4 / amplitude);
     let all: f64 = fits.iter().map(|fit| distance_squared(fit, &TRUTH)).sum();
-    Limits { usual: 2.4..154.5, full: 48.1..372.1, own: 60.0..256.0 }.check(all, "sines");
+    Limits { usual: 2.4..154.5, full: 48.1..372.1, seeded: 60.0..256.0 }.check(all, "sines");
 }
 
 /// Duffing's oscillator has a parameter more than the pendulum, and the pendulum is not simpler than a linear oscillator.
@@ -254,7 +254,7 @@ fn rows_prefer_the_oscillator_that_they_are_of() {
 /// alarm has the probability 1e-6: `scipy.stats.chi2.ppf(5e-7, 31*n)` and `isf`.
 #[test]
 fn residuals_are_as_large_as_stated_in_a_sweep() {
-    let limits = Limits { usual: 40.7..175.6, full: 356.9..665.7, own: 400.0..592.0 };
+    let limits = Limits { usual: 40.7..175.6, full: 356.9..665.7, seeded: 400.0..592.0 };
     let seeded = [sweep::number(3, 16), sweep::seed(0x5eed)];
     let fits = draws(pendulum(), ResponseModel::Pendulum, 0.01, false, seeded);
     limits.check(fits.filter_map(|fit| fit.chi2).sum(), "residuals");
@@ -558,7 +558,7 @@ fn good_pendulums_are_fitted_without_stated_uncertainties_in_a_sweep() {
 fn intervals_hold_under_both_laws_of_error_in_a_sweep() {
     // 34 rows less three parameters: scipy.stats.t.isf(0.025, 31).
     const T: f64 = 2.039513446;
-    let limits = Limits { usual: 0.4..1.01, full: 0.885..0.9901, own: 0.92..0.98 };
+    let limits = Limits { usual: 0.4..1.01, full: 0.885..0.9901, seeded: 0.92..0.98 };
     let number = sweep::number(12_u32, 400);
     let [frequencies, peaks, ..] = pendulum();
     let largest = peaks.iter().copied().fold(0.0, f64::max);

@@ -243,7 +243,7 @@ fn dry_friction_by_the_falling_amplitude_is_as_uncertain_as_the_pivot_leaves_it(
 /// of 30 traces (8 in the default run, of which 3 or fewer have the probability 4e-4 where 90 % is true). The true pivot is never named.
 #[test]
 fn a_wrong_pivot_is_named_and_is_in_the_uncertainty_in_a_sweep() {
-    let limits = Limits { usual: 3.5..8.5, full: 16.5..30.5, own: 26.5..30.5 };
+    let limits = Limits { usual: 3.5..8.5, full: 16.5..30.5, seeded: 26.5..30.5 };
     let mut random = Random::seeded(sweep::seed(0x919));
     let options = SwingsOptions { damping: Some("linear".parse().unwrap()), ..SwingsOptions::default() };
     let is_named = |fit: &SwingsFit| {

@@ -126,8 +126,8 @@ fn short_records_are_as_uncertain_as_they_say() {
 /// within two, `scipy.stats.binom.ppf(1e-6/6, n, 0.9407)/n`.
 #[test]
 fn the_test_of_the_exact_law_is_as_uncertain_as_it_says_in_a_sweep() {
-    let square = Limits { usual: 0.042..6.67, full: 0.196..2.99, own: 0.49..1.69 };
-    let within = Limits { usual: 0.5..1.1, full: 0.733..1.1, own: 0.88..1.1 };
+    let square = Limits { usual: 0.042..6.67, full: 0.196..2.99, seeded: 0.49..1.69 };
+    let within = Limits { usual: 0.5..1.1, full: 0.733..1.1, seeded: 0.88..1.1 };
     let record = GateRecord { seconds: 20.0, ..RECORD };
     assert_honest_in_a_sweep(&record, 2e-5, sweep::number(16, 60), [square, within]);
 }

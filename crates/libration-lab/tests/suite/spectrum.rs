@@ -121,14 +121,14 @@ const T_OF_8: [(f64, f64); 2] = [(0.6827, 1.066_8), (0.95, 2.306_0)];
 /// 1200 were. A false alarm has the probability 1e-6, as each of 40 tails has 2.5e-8: `scipy.stats.binom.ppf(2.5e-8, n, p - 0.03)` and `isf(2.5e-8,
 /// n, p + 0.03)`. The full sample of the test's own seed has kept within three and a half standard deviations.
 const ONE_PLACE: [Limits; 2] = [
-    Limits { usual: 1.0..21.0, full: 38.0..94.0, own: 52.0..85.0 },
-    Limits { usual: 9.0..21.0, full: 74.0..101.0, own: 88.0..101.0 },
+    Limits { usual: 1.0..21.0, full: 38.0..94.0, seeded: 52.0..85.0 },
+    Limits { usual: 9.0..21.0, full: 74.0..101.0, seeded: 88.0..101.0 },
 ];
 
 /// Limits for six places and two kinds of noise together, which the hypothesis takes to be independent.
 const ALL_PLACES: [Limits; 2] = [
-    Limits { usual: 115.0..208.0, full: 692.0..939.0, own: 692.0..939.0 },
-    Limits { usual: 194.0..241.0, full: 1049.0..1198.0, own: 1049.0..1198.0 },
+    Limits { usual: 115.0..208.0, full: 692.0..939.0, seeded: 692.0..939.0 },
+    Limits { usual: 194.0..241.0, full: 1049.0..1198.0, seeded: 1049.0..1198.0 },
 ];
 
 #[test]

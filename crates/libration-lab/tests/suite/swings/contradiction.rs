@@ -55,7 +55,7 @@ fn a_contradiction_is_a_row_of_the_budget_and_never_makes_less_uncertain() {
 #[test]
 fn wrong_scales_are_in_the_uncertainty_in_a_sweep() {
     let mut random = Random::seeded(sweep::seed(0x5ca1e));
-    let limits = Limits { usual: 2.0..8.5, full: 41.0..60.5, own: 54.0..60.5 };
+    let limits = Limits { usual: 2.0..8.5, full: 41.0..60.5, seeded: 54.0..60.5 };
     let number = sweep::number(8, 60);
     let mut near = 0;
     for draw in 0..number {

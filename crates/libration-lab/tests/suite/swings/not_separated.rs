@@ -45,5 +45,5 @@ fn clean_traces_tell_their_damping_in_a_sweep() {
         eprintln!("{draw} {:?} {alarm:?}", fit.fit.damping);
         alarms += u32::from(alarm.is_some());
     }
-    Limits { usual: 0.0..14.5, full: 0.0..65.5, own: 0.0..36.5 }.check(f64::from(alarms), "not separated");
+    Limits { usual: 0.0..14.5, full: 0.0..65.5, seeded: 0.0..36.5 }.check(f64::from(alarms), "not separated");
 }
