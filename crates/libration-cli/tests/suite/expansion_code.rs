@@ -237,7 +237,7 @@ fn the_comment_says_what_order_gauge_and_reach_the_functions_have() {
     assert_eq!(json("expand duffing --order 3")["order"], 3);
 }
 
-/// Slow flows whose formulas have capitals beside small letters, words that languages reserve, π, several coordinates, and long products.
+/// Slow flows whose formulas have capitals and small letters, words that languages reserve, π, several coordinates, and long products.
 const FLOWS: [&[&str]; 6] = [
     &["expand", "x'' + 2*eps*None*x' + NAN^2*x + eps*Some*x^3 = eps*Sin*cos(W*t)", "--resonance", "1/1"],
     &["expand", "x'' + 2*eps*lambda*x' + in^2*x + eps*a*x^3 = eps*F*cos(W*t)", "--resonance", "1/1"],

@@ -12,9 +12,9 @@
 
 use crate::statistics::{chi_squared, count, fisher, mean, student};
 
-/// A row scatters unlike the others, or a reading is an outlier, where chance does that in fewer than one table in a hundred.
+/// Probability that chance does the same in any row of a table, below which a row scatters unlike the others, or a reading is an outlier.
 const BY_CHANCE: f64 = 0.01;
-/// An outlier makes a row scatter unlike the others where chance makes it scatter as much in fewer than one table in ten thousand.
+/// The same probability, below which an outlier makes its row scatter unlike the others.
 const BY_BLUNDER: f64 = 1e-4;
 /// Probability below which the variances of rows are taken as different, rather than different by chance: at one in twenty, 90.8 % of the intervals
 /// of 95 % for g hold of five rows of three readings whose variances rise 25 times, at one in five 93.1 %.

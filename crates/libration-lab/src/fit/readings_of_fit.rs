@@ -1,4 +1,4 @@
-//! Repeated readings behind the values of a weighted linear fit: the covariance of its coefficients and the test of its χ².
+//! Repeated readings of the values of a weighted linear fit: the covariance of its coefficients and the test of its χ².
 //!
 //! The weights are those of the pooled variance. Where the rows scatter differently the covariance C·V·Cᵀ has the variance of each row in V, C being
 //! the dependence of the coefficients on the values, and χ² = rᵀWr is compared with its expected value Σaᵢvᵢ, where aᵢ is the diagonal of

@@ -175,7 +175,7 @@ fn count(hits: &mut [u32; 2], deviation: f64) {
     }
 }
 
-/// A scale that bends, θ + εθ², makes εA²/2 beside cos 2φ.
+/// A scale that bends, θ + εθ², adds εA²/2 to the amplitude of cos 2φ.
 #[test]
 fn an_instrument_that_bends_the_scale_is_seen_in_the_second_harmonic() {
     let noisy = Synthetic { noise: 1e-3, ..Synthetic::USUAL }.trace(&mut Random::seeded(2));
@@ -207,7 +207,7 @@ fn a_wrong_scale_is_told_from_the_third_harmonic() {
 fn dry_friction_is_seen_beside_the_third_harmonic() {
     let dry = Synthetic { dry: 0.1, linear: 0.0, noise: 1e-3, ..Synthetic::USUAL };
     assert!(names(&of(&dry, 4)).contains(&"quadrature"), "{:?}", of(&dry, 4).remarks);
-    // −d·sign θ′ has 4d/3π beside sin 3φ, to which a pendulum of small swings answers with 1/(9 − 1)ω².
+    // −d·sign θ′ has 4d/3π with sin 3φ, to which a pendulum of small swings answers with 1/(9 − 1)ω².
     let small = Synthetic { dry: 0.005, linear: 0.0, amplitude: 0.3, ..Synthetic::USUAL };
     let expected = 4.0 * 0.005 / (3.0 * PI) / (8.0 * 9.0);
     let quadrature = of(&small, 4).windows[0].harmonics[3].quadrature.unwrap().value;

@@ -33,7 +33,7 @@ const VANISHED: f64 = 1e-9;
 const FADED: f64 = 1e-30;
 /// Difference from an earlier state, relative to the swing, below which the motion has returned; Newton's method does the rest. A motion that
 /// passes an unstable cycle, as every chaotic one does again and again, is followed on until it returns more closely: for the last difference,
-/// 3000 maxima beside eight others each are 2e-5 returns by chance in a chaos of one dimension.
+/// 3000 maxima with eight others each are 2e-5 returns by chance in a chaos of one dimension.
 const RETURNED: [f64; 3] = [1e-3, 1e-6, 1e-9];
 
 impl Orbit {

@@ -291,7 +291,7 @@ impl Traveller<'_> {
         if next == self.sides { Ok(()) } else { self.change_sides(&last.ending, &next, near) }
     }
 
-    /// The side behind the zero of an argument: the other one, or zero if friction then holds it.
+    /// The side after the zero of an argument: the other one, or zero if friction then holds it.
     fn behind(&self, argument: usize) -> Result<Side, IntegrationError> {
         let mut sides = self.sides.clone();
         sides[argument] = if sides[argument] == Side::Above { Side::Below } else { Side::Above };

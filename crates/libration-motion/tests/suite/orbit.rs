@@ -340,7 +340,7 @@ fn a_search_finds_the_orbit_of_each_kind() {
     assert!(orbit.period_uncertainty() < 1e-13, "{:e}", orbit.period_uncertainty());
 }
 
-/// The way to chaos of Rössler's equations, beside DOP853 of SciPy 1.17 with variations and Newton's method. Where the multiplier is negative a
+/// The way to chaos of Rössler's equations, compared with DOP853 of SciPy 1.17 with variations and Newton's method. Where the multiplier is negative a
 /// motion returns more closely after two turns, and next to a doubled period (c = 2.832445) a pair of turns closes almost everywhere; past
 /// c = 3.84 the motion passes the cycle of two turns first.
 #[test]

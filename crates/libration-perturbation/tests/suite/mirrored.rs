@@ -86,7 +86,7 @@ fn the_period_is_that_of_the_first_integral() {
     assert!(error(&of(31), 0.7) < 1e-14);
 }
 
-/// Frequency and harmonics beside orbits, where (amplitude/radius)³¹ is below the last digits.
+/// Frequency and harmonics compared with orbits, where (amplitude/radius)³¹ is below the last digits.
 #[test]
 fn frequency_and_harmonics_are_those_of_orbits() {
     let cases = [

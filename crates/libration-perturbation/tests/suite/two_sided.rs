@@ -101,7 +101,7 @@ fn an_asymmetric_force_has_half_the_period_of_either_side() {
     }
 }
 
-/// Frequency, mean and harmonics of order N beside orbits, and the same series in digits.
+/// Frequency, mean and harmonics of order N compared with orbits, and the same series in digits.
 #[test]
 fn harmonics_are_those_of_orbits_in_a_sweep() {
     let cases = [

@@ -2,7 +2,7 @@
 //!
 //! Each written time bounds first + interval·place from both sides, so that the even times which round to all of them are a convex
 //! polygon in the plane of first and interval. If rounding is all that happened each of its points is as likely as the others: its
-//! centroid is the answer, its extent the uncertainty. Where it is empty, no even times are behind those written. Of frames whose
+//! centroid is the answer, its extent the uncertainty. Where it is empty, no equally spaced times round to those written. Of frames whose
 //! rate is commensurate with the steps it is wide, and least squares would be sure of more than the times say.
 
 use super::Grid;

@@ -57,7 +57,7 @@ impl Faults {
     /// angles that may jump by it.
     ///
     /// Outliers are recognised by the cubic through two neighbours on either side: the rows at both ends and those
-    /// beside gaps are not judged.
+    /// next to gaps are not judged.
     #[must_use]
     pub fn detect(times: &[f64], values: &[f64], turn: Option<f64>) -> Self {
         let restarts = order::restarts(times);

@@ -19,7 +19,7 @@ const CAUTION: f64 = 1.05;
 /// that a series like Σ xⁿ/n needs. From 13 terms on the ratio is at most what the estimated radius of convergence makes it.
 ///
 /// All constants here are from 18 600 partial sums (28 oscillators, periods, frequencies, harmonics and offsets, up to 40 powers, between 0.1
-/// and 0.9 of the radius) beside exact values: one estimate in 1000 was too small, one sum in nine had none; half of the others are within a
+/// and 0.9 of the radius) compared with exact values: one estimate in 1000 was too small, one sum in nine had none; half of the others are within a
 /// factor of 5. `tests/suite/remainders.rs` has the same for other oscillators.
 pub(super) fn beyond_the_last(
     terms: &[(usize, &BigFloat)],

@@ -1,6 +1,6 @@
 //! The frequency of small oscillations in symbols, and its name in coefficients.
 //!
-//! Behind the letters the ring has one more, ω0. It stands in coefficients where ω0² is a sum or its root is needed,
+//! After the symbols the ring has one more, ω0. It stands in coefficients where ω0² is a sum or its root is needed,
 //! and obeys ω0² = q, with q a Laurent polynomial in the letters.
 
 use libration_motion::oscillator::SymbolicOscillator;

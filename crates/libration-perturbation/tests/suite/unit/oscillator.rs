@@ -254,7 +254,7 @@ fn a_force_with_a_power_series_on_either_side_has_two_sides() {
         assert_eq!((computed.equilibrium().to_string().as_str(), computed.is_odd()), (at, odd), "{text}");
         assert_eq!(*computed.kind(), Kind::TwoSided, "{text}");
     }
-    // Beside the kink there is one power series.
+    // Next to the kink there is one power series.
     assert_eq!(*oscillator("x'' = -x - (x - 1e-13)*abs(x - 1e-13) - 1e-26").kind(), Kind::Conservative);
     for (text, part) in [
         ("x'' = -x - 1e-6*abs(x)", "it has a kink"),
