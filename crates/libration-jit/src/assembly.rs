@@ -138,7 +138,7 @@ impl<'a> Assembler<'a> {
             Arithmetic::Subtract(a, b) => self.combine(set.subtract, number, [a, b])?,
             Arithmetic::Divide(a, b) => self.combine(set.divide, number, [a, b])?,
             Arithmetic::MultiplyAdd(a, b, c) => self.multiply_add(number, [a, b], c)?,
-            Arithmetic::Keep { value, place: slot } => {
+            Arithmetic::Keep { value, slot } => {
                 let (register, home) = (self.in_register(value, &[value])?, Home::Place(slot));
                 let address = self.address(home)?;
                 self.encode(Instruction::with2(set.store, address, register))?;

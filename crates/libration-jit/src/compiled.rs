@@ -64,7 +64,7 @@ mod tests {
         let products = (0..5).map(|row| Arithmetic::InnerProduct { a: 8 * row, b: 32 - 8 * row, count: 8 });
         let sums = (0..39).map(|k| Arithmetic::Add(k, if k == 0 { 40 } else { 44 + k }));
         let rest = (0..5).map(|k| Arithmetic::MultiplyAdd(40 + k, 83, 83 - k));
-        let keep = (0..5).map(|k| Arithmetic::Keep { value: 84 + k, place: 40 + k });
+        let keep = (0..5).map(|k| Arithmetic::Keep { value: 84 + k, slot: 40 + k });
         StraightLine::new(places.chain(products).chain(sums).chain(rest).chain(keep).collect(), 45, 0)
             .expect("places of its own")
     }

@@ -19,7 +19,7 @@ pub(crate) const WIDEST: usize = 8;
 pub(crate) fn groups(line: &StraightLine, most: usize) -> HashMap<usize, Group> {
     let mut kept = vec![None; line.places()];
     for (number, step) in line.steps().iter().enumerate() {
-        if let Arithmetic::Keep { place: slot, .. } = *step {
+        if let Arithmetic::Keep { slot, .. } = *step {
             kept[slot] = Some(number);
         }
     }

@@ -28,7 +28,7 @@ impl StraightLine {
                         };
                         inner_product(&Numbers, &at(a), &at(b))
                     }
-                    Arithmetic::Keep { value, place: slot } => {
+                    Arithmetic::Keep { value, slot } => {
                         places[slot * lanes + lane] = values[value];
                         0.0
                     }

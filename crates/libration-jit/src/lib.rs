@@ -12,7 +12,7 @@
 //!     Arithmetic::Place(0),
 //!     Arithmetic::Place(1),
 //!     Arithmetic::MultiplyAdd(0, 1, 0),
-//!     Arithmetic::Keep { value: 2, place: 2 },
+//!     Arithmetic::Keep { value: 2, slot: 2 },
 //! ];
 //! let line = StraightLine::new(steps, 3, 0)?;
 //! let mut places = [1.0, 2.0, 10.0, 20.0, 0.0, 0.0];

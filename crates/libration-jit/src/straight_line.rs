@@ -35,7 +35,7 @@ pub enum Arithmetic {
         /// The value.
         value: usize,
         /// The slot.
-        place: usize,
+        slot: usize,
     },
 }
 
@@ -105,7 +105,7 @@ impl StraightLine {
             let are_known = step.operands().all(is_known);
             let is_there = match *step {
                 Arithmetic::Place(slot) => kept.get(slot).is_some_and(|kept| !kept),
-                Arithmetic::Keep { place: slot, .. } => {
+                Arithmetic::Keep { slot, .. } => {
                     kept.get_mut(slot).is_some_and(|kept| !std::mem::replace(kept, true)) && !read[slot]
                 }
                 Arithmetic::InnerProduct { a, b, count } => {

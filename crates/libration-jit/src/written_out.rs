@@ -21,7 +21,7 @@ pub(crate) fn written_out(line: &StraightLine) -> Result<StraightLine, OutOfOrde
             }
             other => steps.push(with_operands(other, |operand| numbers[operand])),
         };
-        if let Arithmetic::Keep { value, place: slot } = *step {
+        if let Arithmetic::Keep { value, slot } = *step {
             at[slot] = Some(numbers[value]);
         }
         numbers.push(new);
@@ -42,7 +42,7 @@ fn with_operands(step: Arithmetic, other: impl Fn(usize) -> usize) -> Arithmetic
         Arithmetic::Multiply(a, b) => Arithmetic::Multiply(other(a), other(b)),
         Arithmetic::Divide(a, b) => Arithmetic::Divide(other(a), other(b)),
         Arithmetic::MultiplyAdd(a, b, c) => Arithmetic::MultiplyAdd(other(a), other(b), other(c)),
-        Arithmetic::Keep { value, place: slot } => Arithmetic::Keep { value: other(value), place: slot },
+        Arithmetic::Keep { value, slot } => Arithmetic::Keep { value: other(value), slot },
     }
 }
 

@@ -45,20 +45,20 @@ fn random_line(numbers: &mut Numbers, length: usize, places: usize, arguments: u
                 let mut first = || numbers.below(places - count + 1);
                 Arithmetic::InnerProduct { a: first(), b: first(), count }
             }
-            _ => Arithmetic::Keep { value: a, place: numbers.below(places) },
+            _ => Arithmetic::Keep { value: a, slot: numbers.below(places) },
         };
         match step {
-            Arithmetic::Place(place) if kept[place] => continue,
-            Arithmetic::Keep { place, .. } if kept[place] || read[place] => continue,
+            Arithmetic::Place(slot) if kept[slot] => continue,
+            Arithmetic::Keep { slot, .. } if kept[slot] || read[slot] => continue,
             Arithmetic::InnerProduct { a, b, count } => {
-                for place in (a..a + count).chain(b..b + count) {
-                    read[place] = true;
+                for slot in (a..a + count).chain(b..b + count) {
+                    read[slot] = true;
                 }
                 values.push(steps.len());
             }
-            Arithmetic::Keep { place, .. } => {
-                kept[place] = true;
-                values.retain(|&value| steps[value] != Arithmetic::Place(place));
+            Arithmetic::Keep { slot, .. } => {
+                kept[slot] = true;
+                values.retain(|&value| steps[value] != Arithmetic::Place(slot));
                 if values.len() < 3 {
                     break;
                 }
@@ -125,11 +125,11 @@ fn inner_products_of_many_rows_have_the_bits_of_interpreted_ones() {
             let products: Vec<usize> = products.collect();
             for (row, product) in products.into_iter().enumerate() {
                 let value = push(Arithmetic::Multiply(product, product));
-                push(Arithmetic::Keep { value, place: row * terms + n });
+                push(Arithmetic::Keep { value, slot: row * terms + n });
             }
             // An inner product that reads a number kept after the others belongs to no group.
             let last = push(Arithmetic::InnerProduct { a: 0, b: n, count: 1 });
-            push(Arithmetic::Keep { value: last, place: rows * terms + n });
+            push(Arithmetic::Keep { value: last, slot: rows * terms + n });
         }
         assert_same_bits(&StraightLine::new(steps.into_inner(), (rows + 1) * terms, 0).unwrap());
     }
@@ -141,7 +141,7 @@ fn packs_of_two_are_none_of_four() {
     let product = |a, b, count| Arithmetic::InnerProduct { a, b, count };
     let pair = [product(0, 20, 4), product(10, 30, 4)];
     let four = [product(0, 20, 3), product(10, 30, 3), product(10, 20, 3), product(10, 20, 3)];
-    let keep = (0..6).map(|value| Arithmetic::Keep { value, place: 40 + value });
+    let keep = (0..6).map(|value| Arithmetic::Keep { value, slot: 40 + value });
     let steps = pair.into_iter().chain(four).chain(keep);
     assert_same_bits(&StraightLine::new(steps.collect(), 46, 0).unwrap());
 }
@@ -183,7 +183,7 @@ fn lanes_that_fill_no_register_are_not_compiled() {
 
 #[test]
 fn steps_that_cannot_be_done_are_refused() {
-    let keep = |value, place| Arithmetic::Keep { value, place };
+    let keep = |value, slot| Arithmetic::Keep { value, slot };
     let refused = |steps: &[Arithmetic], step| {
         assert_eq!(StraightLine::new(steps.to_vec(), 1, 1), Err(OutOfOrder { step }), "{steps:?}");
     };
@@ -204,7 +204,7 @@ fn steps_that_cannot_be_done_are_refused() {
 #[test]
 #[should_panic(expected = "out of range")]
 fn too_few_places_are_not_written_behind() {
-    let steps = vec![Arithmetic::Number(1.0), Arithmetic::Keep { value: 0, place: 5 }];
+    let steps = vec![Arithmetic::Number(1.0), Arithmetic::Keep { value: 0, slot: 5 }];
     let compiled = Compiled::new(&StraightLine::new(steps, 6, 0).unwrap(), 1);
     compiled.expect("out of range of this processor").run(&mut [0.0; 5], &[], &mut Aligned::default());
 }

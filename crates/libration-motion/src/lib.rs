@@ -33,7 +33,8 @@ pub mod internals {
     }
     pub mod orbit {
         pub use crate::orbit::{
-            acceleration::Acceleration, least_period::over_least_period, place::ReleasePlace, precise::Motion,
+            acceleration::Acceleration, least_period::over_least_period, precise::Motion,
+            release_place::ReleasePlace,
         };
     }
     pub mod oscillator {

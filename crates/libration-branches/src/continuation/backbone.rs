@@ -66,7 +66,7 @@ impl Response {
             Some(FreeOscillation { parameter, error, amplitude })
         };
         let within = range[0].min(range[1])..=range[0].max(range[1]);
-        amplitudes.filter_map(of_amplitude).filter(|it| within.contains(&it.parameter)).collect()
+        amplitudes.filter_map(of_amplitude).filter(|point| within.contains(&point.parameter)).collect()
     }
 
     fn points(&self) -> impl Iterator<Item = &BranchPoint> {

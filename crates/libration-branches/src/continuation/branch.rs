@@ -40,7 +40,8 @@ impl Branch {
         let changes =
             |pair: &[BranchPoint]| pair.iter().all(is_known) && pair[0].stability != pair[1].stability;
         let pairs = (1..).zip(self.points.windows(2)).filter(|(_, pair)| changes(pair));
-        let unexplained = pairs.filter(|(number, _)| self.special.iter().all(|it| it.before != *number));
+        let unexplained =
+            pairs.filter(|(number, _)| self.special.iter().all(|special| special.before != *number));
         unexplained.map(|(_, pair)| between_points(&pair[0], &pair[1])).collect()
     }
 }
@@ -339,7 +340,7 @@ impl<'a> Walk<'a> {
             None => vec![0.0; tangent.len()],
         };
         let step = |j: usize| units[j] * length * (tangent[j] + 0.5 * length * curvature[j]);
-        let guess: Vec<f64> = self.at().place().iter().enumerate().map(|(j, x)| x + step(j)).collect();
+        let guess: Vec<f64> = self.at().position().iter().enumerate().map(|(j, x)| x + step(j)).collect();
         let corrected = self.corrector.corrected(&guess, &tangent, units)?;
         let off = corrected.first / length;
         if off > FAR {
@@ -365,7 +366,7 @@ impl<'a> Walk<'a> {
             true => self.corrector.closed_by_period(guess)?,
             false => self.corrector.corrected(&guess, &across, units)?,
         };
-        *corrected.place.last_mut()? = value;
+        *corrected.position.last_mut()? = value;
         Node::new(&self.corrector, corrected, &self.at().direction, units)
     }
 
@@ -390,8 +391,8 @@ impl<'a> Walk<'a> {
     fn closing(&self, next: &Node, units: &[f64]) -> Option<Node> {
         let start = self.nodes.first().filter(|_| self.nodes.len() > 3)?;
         let along = in_units(&start.direction, units);
-        let before = difference(self.at().place(), start.place(), units);
-        let after = difference(next.place(), start.place(), units);
+        let before = difference(self.at().position(), start.position(), units);
+        let after = difference(next.position(), start.position(), units);
         let side = |to: &[f64]| -> f64 { to.iter().zip(&along).map(|(a, b)| a * b).sum() };
         // Steps next to a special point may be far shorter than the distance of the nodes about the start.
         let near = norm(&before).min(norm(&after)) <= 2.0 * self.last.max(1e-3);
@@ -400,14 +401,14 @@ impl<'a> Walk<'a> {
         }
         let part = side(&before) / (side(&before) - side(&after));
         let mut guess = between(self.at(), next, units, part);
-        let beside = side(&difference(&guess, start.place(), units));
+        let beside = side(&difference(&guess, start.position(), units));
         for ((number, along), unit) in guess.iter_mut().zip(&along).zip(units) {
             *number -= beside * along * unit;
         }
         let corrected = self.corrector.corrected(&guess, &along, units)?;
         /// Ten thousand rounding errors; the distance to another branch is larger.
         const SAME: f64 = 1e-8;
-        let off = norm(&difference(&corrected.place, start.place(), units));
+        let off = norm(&difference(&corrected.position, start.position(), units));
         (off < SAME).then(|| start.clone())
     }
 

@@ -199,8 +199,8 @@ impl Survey<'_> {
             test: crossing.test,
             rest: Some(self.start),
         };
-        let image = singular.image(&crossing.place, TOLERANCES[0])?;
-        let point = self.family.point(self.space(), self.start, &crossing.place, &image, 0.0)?;
+        let image = singular.image(&crossing.parameters, TOLERANCES[0])?;
+        let point = self.family.point(self.space(), self.start, &crossing.parameters, &image, 0.0)?;
         let kind = match crossing.test {
             Test::Flip => SpecialKind::PeriodDoubling,
             Test::Torus if point.is_torus() => SpecialKind::NeimarkSacker,
@@ -208,7 +208,7 @@ impl Survey<'_> {
             Test::Torus | Test::Collision => return None,
             Test::Branching | Test::Fold => SpecialKind::BranchPoint,
         };
-        let start = (&crossing.place[..], &point);
+        let start = (&crossing.parameters[..], &point);
         Some(Trace::new(singular, self.ranges, self.options.most_points, start)?.followed(kind))
     }
 
@@ -228,7 +228,7 @@ impl Survey<'_> {
         const SHORTEST: f64 = 1e-7;
         let widths = self.ranges.map(|[low, high]| high - low);
         let relative = |point: &CurvePoint| {
-            let [x, y] = crossing.place;
+            let [x, y] = crossing.parameters;
             [(point.point.parameter - x) / widths[0], (point.second - y) / widths[1]]
         };
         let of_pair = |pair: &[CurvePoint]| {

@@ -100,19 +100,20 @@ impl CoordinateUnits {
 
 /// The equation of the coordinates divided by these units.
 fn in_units(equation: &Equation, units: &[f64]) -> Option<Equation> {
-    let exact = |unit: &f64| BigFloat::from_f64(*unit, 53).map(|it| Expression::Number(it.to_rational()));
+    let exact =
+        |unit: &f64| BigFloat::from_f64(*unit, 53).map(|fraction| Expression::Number(fraction.to_rational()));
     let units: Vec<Expression> = units.iter().map(exact).collect::<Option<_>>()?;
     let multiple = |unit: &Expression, name: &Symbol| {
         Expression::Multiply(Box::new(unit.clone()), Box::new(Expression::Symbol(name.clone())))
     };
-    let scaled = |(derivative, own): (&Expression, &Expression)| {
+    let scaled = |(derivative, unit): (&Expression, &Expression)| {
         let names = equation.variables().iter().map(|name| Symbol::plain(name));
-        let in_units = names.zip(&units).fold(derivative.clone(), |formula, (place, unit)| {
-            let velocity = place.with_primes(1);
-            let formula = formula.substitute(&place, &multiple(unit, &place));
+        let in_units = names.zip(&units).fold(derivative.clone(), |formula, (coordinate, unit)| {
+            let velocity = coordinate.with_primes(1);
+            let formula = formula.substitute(&coordinate, &multiple(unit, &coordinate));
             formula.substitute(&velocity, &multiple(unit, &velocity))
         });
-        Expression::Divide(Box::new(in_units), Box::new(own.clone()))
+        Expression::Divide(Box::new(in_units), Box::new(unit.clone()))
     };
     let derivatives = equation.derivatives().iter().zip(&units).map(scaled).collect();
     Some(Equation::of_derivatives(equation.variables().to_vec(), equation.orders().to_vec(), derivatives))
@@ -131,7 +132,7 @@ impl MotionBox<'_> {
     fn mean_slopes(&self, search: &Search<'_>, layout: &StateLayout) -> Option<Vec<Vec<f64>>> {
         let Search { equation, parameter, .. } = search;
         let places: Vec<Symbol> = equation.variables().iter().map(|name| Symbol::plain(name)).collect();
-        let velocities: Vec<Symbol> = places.iter().map(|place| place.with_primes(1)).collect();
+        let velocities: Vec<Symbol> = places.iter().map(|coordinate| coordinate.with_primes(1)).collect();
         let inputs = [&places[..], &velocities, &[Symbol::plain("t"), Symbol::plain(parameter)]].concat();
         let n = places.len();
         let slope = |formula: &Expression, by: &Symbol| formula.derivative(by).simplified();
@@ -162,10 +163,10 @@ impl MotionBox<'_> {
         // Multiples of the golden ratio are evenly distributed.
         let part = |k: usize| ((7.0 * f64::from(number) + count(k + 1)) * 0.618_033_988_749_894_9).fract();
         let n = layout.coordinates();
-        let place = |(k, [low, high]): (usize, &[f64; 2])| low + part(k) * (high - low);
+        let displacement = |(k, [low, high]): (usize, &[f64; 2])| low + part(k) * (high - low);
         let pace = TAU / self.period;
         let velocity = |(k, [low, high]): (usize, &[f64; 2])| (part(n + k) - 0.5) * (high - low) * pace;
-        let places = self.ranges.iter().enumerate().map(place);
+        let places = self.ranges.iter().enumerate().map(displacement);
         let velocities = self.ranges.iter().enumerate().map(velocity);
         places.chain(velocities).chain([part(2 * n) * self.period, self.value]).collect()
     }

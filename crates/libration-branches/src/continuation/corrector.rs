@@ -8,7 +8,7 @@ use libration_motion::internals::periodic::{NewtonStep, norm};
 #[derive(Clone, Debug)]
 pub(super) struct Corrected {
     /// The unknowns of the motion, followed by the parameter.
-    pub(super) place: Vec<f64>,
+    pub(super) position: Vec<f64>,
     pub(super) image: Image,
     /// Size of the first Newton correction, in scaled units.
     pub(super) first: f64,
@@ -44,7 +44,7 @@ impl Corrector<'_> {
         for round in 0..MOST_ROUNDS {
             let image = self.image(&unknowns)?;
             if round == 0 && is_rounding(&image, &unknowns, units) {
-                return Some(Corrected { place: unknowns, image, first, map_slope: 1.0, stale: 0.0 });
+                return Some(Corrected { position: unknowns, image, first, map_slope: 1.0, stale: 0.0 });
             }
             let off: f64 = (0..unknowns.len()).map(|j| across[j] * (unknowns[j] - guess[j]) / units[j]).sum();
             let change = bordered(&image, across, units).change(&image.defect, &[off])?;
@@ -60,10 +60,10 @@ impl Corrector<'_> {
             }
             if size < CLOSE || (size > 0.5 * before && size <= ROUNDING) {
                 // Without a second map its change is assumed to be proportional to the change of position.
-                let map_slope = last.map_or(1.0, |it| (image.change(&it, units) / before).max(1.0));
+                let map_slope = last.map_or(1.0, |earlier| (image.change(&earlier, units) / before).max(1.0));
                 let is_stale = size <= self.stale;
                 let (image, stale) = if is_stale { (image, size) } else { (self.image(&unknowns)?, 0.0) };
-                return Some(Corrected { place: unknowns, image, first, map_slope, stale });
+                return Some(Corrected { position: unknowns, image, first, map_slope, stale });
             }
             before = size;
             last = Some(image);
@@ -72,20 +72,20 @@ impl Corrector<'_> {
     }
 
     /// A motion at a crossing of branches, where corrections of the state are unbounded: only the period is corrected, if no drive sets it.
-    pub(super) fn closed_by_period(&self, mut place: Vec<f64>) -> Option<Corrected> {
+    pub(super) fn closed_by_period(&self, mut position: Vec<f64>) -> Option<Corrected> {
         const ROUNDS: usize = 3;
         let period = self.family.layout.numbers();
         for _ in 0..if self.family.is_driven() { 0 } else { ROUNDS } {
-            let Image { defect, map, .. } = self.image(&place)?;
+            let Image { defect, map, .. } = self.image(&position)?;
             let rate = || map[..period].iter().map(|row| row[period]);
             let product: f64 = rate().zip(&defect).map(|(rate, missed)| rate * missed).sum();
-            place[period] -= product / rate().map(|rate| rate * rate).sum::<f64>();
+            position[period] -= product / rate().map(|rate| rate * rate).sum::<f64>();
         }
-        Some(Corrected { image: self.image(&place)?, place, first: 0.0, map_slope: 1.0, stale: 0.0 })
+        Some(Corrected { image: self.image(&position)?, position, first: 0.0, map_slope: 1.0, stale: 0.0 })
     }
 
-    pub(super) fn image(&self, place: &[f64]) -> Option<Image> {
-        let (parameter, state) = place.split_last()?;
+    pub(super) fn image(&self, position: &[f64]) -> Option<Image> {
+        let (parameter, state) = position.split_last()?;
         self.family.image(self.space, state, &[*parameter], self.tolerance)
     }
 
@@ -99,12 +99,12 @@ impl Corrector<'_> {
 
 /// Returns `true` if an orbit closes within the rounding error of its state. No correction improves it,
 /// and at an equilibrium where other branches begin the correction of a rounding error is unbounded.
-fn is_rounding(image: &Image, place: &[f64], units: &[f64]) -> bool {
+fn is_rounding(image: &Image, position: &[f64], units: &[f64]) -> bool {
     /// A component of the image is the sum of several rounded terms.
     const ROUNDINGS: f64 = 4.0;
     let largest =
         |numbers: &[f64]| numbers.iter().zip(units).map(|(x, unit)| (x / unit).abs()).fold(0.0, f64::max);
-    largest(&image.defect) <= ROUNDINGS * f64::EPSILON * largest(&place[..image.defect.len()])
+    largest(&image.defect) <= ROUNDINGS * f64::EPSILON * largest(&position[..image.defect.len()])
 }
 
 /// The equations of the next correction for state and parameter, with one row as additional condition.

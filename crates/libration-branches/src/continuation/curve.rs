@@ -94,7 +94,7 @@ const SHORT: f64 = 1e-3;
 /// A point on a curve.
 #[derive(Clone, Debug)]
 struct Spot {
-    place: Vec<f64>,
+    position: Vec<f64>,
     /// The unit tangent of the curve, in scaled units.
     tangent: Vec<f64>,
     /// Slope of the test function to the left of the direction, for an equilibrium.
@@ -114,7 +114,7 @@ pub(super) struct Trace<'a> {
 }
 
 impl<'a> Trace<'a> {
-    /// A trace towards one side, from a point close to `place`, scaled by the sizes of the motion there.
+    /// A trace towards one side, from a point close to `position`, scaled by the sizes of the motion there.
     pub(super) fn new(
         singular: Singular<'a>,
         ranges: [[f64; 2]; 2],
@@ -220,7 +220,7 @@ impl<'a> Trace<'a> {
 
     /// The spot after a step, and the angle by which the direction turned.
     fn next(&self, length: f64) -> Option<(Spot, f64)> {
-        let Spot { place: unknowns, tangent, .. } = self.at();
+        let Spot { position: unknowns, tangent, .. } = self.at();
         let step = unknowns.iter().zip(tangent).zip(&self.units);
         let guess: Vec<f64> = step.map(|((x, t), unit)| x + length * t * unit).collect();
         let corrected = self.corrected(&guess, tangent)?;
@@ -275,38 +275,38 @@ impl<'a> Trace<'a> {
     }
 
     /// The tangent of the curve near a point, along its largest component, and the point corrected perpendicular to it.
-    fn first(&self, place: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
-        let slopes = self.singular.slopes(place, &self.units, TOLERANCES[0])?;
+    fn first(&self, position: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
+        let slopes = self.singular.slopes(position, &self.units, TOLERANCES[0])?;
         let along = |j: usize| {
-            let across: Vec<f64> = (0..place.len()).map(|i| if i == j { 1.0 } else { 0.0 }).collect();
+            let across: Vec<f64> = (0..position.len()).map(|i| if i == j { 1.0 } else { 0.0 }).collect();
             tangent(&slopes, &across).map(|tangent| (tangent[j].abs(), tangent))
         };
-        let (_, along) = (0..place.len()).filter_map(along).max_by(|a, b| a.0.total_cmp(&b.0))?;
-        let unknowns = self.corrected(place, &along)?;
+        let (_, along) = (0..position.len()).filter_map(along).max_by(|a, b| a.0.total_cmp(&b.0))?;
+        let unknowns = self.corrected(position, &along)?;
         Some((along, unknowns))
     }
 
     /// A point with its direction, its motion and its error.
-    fn spot(&self, place: Vec<f64>, along: &[f64]) -> Option<Spot> {
-        let slopes = self.singular.slopes(&place, &self.units, TOLERANCES[0])?;
+    fn spot(&self, position: Vec<f64>, along: &[f64]) -> Option<Spot> {
+        let slopes = self.singular.slopes(&position, &self.units, TOLERANCES[0])?;
         let tangent = tangent(&slopes, along)?;
         let slope = slopes.last()?;
         let left = tangent[0] * slope[1] - tangent[1] * slope[0];
-        let error = self.error(&place, slopes, &tangent)?;
+        let error = self.error(&position, slopes, &tangent)?;
         let Singular { family, space, .. } = self.singular;
-        let image = self.singular.image(&place, TOLERANCES[0])?;
-        let (state, parameters) = self.singular.parts(&place);
+        let image = self.singular.image(&position, TOLERANCES[0])?;
+        let (state, parameters) = self.singular.parts(&position);
         let point = family.point(space, state, parameters, &image, error)?;
         let second = parameters[1];
-        Some(Spot { tangent, left, point: CurvePoint { point, second }, place })
+        Some(Spot { tangent, left, point: CurvePoint { point, second }, position })
     }
 
     /// Error of the parameters perpendicular to the curve, from the residuals, a second integration tolerance and the rounding of the unknowns
     /// and of the multipliers, which near zero parameters is larger.
-    fn error(&self, place: &[f64], mut rows: Vec<Vec<f64>>, tangent: &[f64]) -> Option<f64> {
-        let values = |tolerance: f64| self.singular.values(place, &self.units, tolerance);
-        let rounding =
-            f64::EPSILON * place.iter().zip(&self.units).fold(1.0, |sum, (x, unit)| sum + (x / unit).abs());
+    fn error(&self, position: &[f64], mut rows: Vec<Vec<f64>>, tangent: &[f64]) -> Option<f64> {
+        let values = |tolerance: f64| self.singular.values(position, &self.units, tolerance);
+        let rounding = f64::EPSILON
+            * position.iter().zip(&self.units).fold(1.0, |sum, (x, unit)| sum + (x / unit).abs());
         let missed = |(value, other): (f64, f64)| value.abs() + other.abs() + rounding;
         let right = values(TOLERANCES[0])?.into_iter().zip(values(TOLERANCES[1])?).map(missed).chain([0.0]);
         let right: Vec<f64> = right.collect();
@@ -341,8 +341,8 @@ impl<'a> Trace<'a> {
 
     /// The parameter that first leaves its range on the way to a spot, and the end of the range.
     fn outside(&self, next: &Spot) -> Option<(usize, f64)> {
-        let (_, now) = self.singular.parts(&self.at().place);
-        let (_, then) = self.singular.parts(&next.place);
+        let (_, now) = self.singular.parts(&self.at().position);
+        let (_, then) = self.singular.parts(&next.position);
         let leaves = |which: usize| {
             let [low, high] = self.ranges[which];
             let value = if then[which] < low { low } else { high };
@@ -355,7 +355,7 @@ impl<'a> Trace<'a> {
 
     /// The spot at which a parameter has a value, on the way to another spot.
     fn at_value(&self, next: &Spot, which: usize, value: f64) -> Option<Spot> {
-        let (now, then) = (&self.at().place, &next.place);
+        let (now, then) = (&self.at().position, &next.position);
         let number = now.len() - 2 + which;
         let part = (value - now[number]) / (then[number] - now[number]);
         let mut guess: Vec<f64> = now.iter().zip(then).map(|(x, y)| x + part * (y - x)).collect();
@@ -373,12 +373,12 @@ impl<'a> Trace<'a> {
         }
         let start = &self.spots[0];
         let side = |unknowns: &[f64]| -> f64 {
-            self.difference(unknowns, &start.place).iter().zip(&start.tangent).map(|(a, b)| a * b).sum()
+            self.difference(unknowns, &start.position).iter().zip(&start.tangent).map(|(a, b)| a * b).sum()
         };
         let [before, after] =
-            [&self.at().place, &next.place].map(|unknowns| self.difference(unknowns, &start.place));
+            [&self.at().position, &next.position].map(|unknowns| self.difference(unknowns, &start.position));
         let near = norm(&before).min(norm(&after)) <= 1.5 * length;
-        near && side(&self.at().place) < 0.0 && side(&next.place) >= 0.0
+        near && side(&self.at().position) < 0.0 && side(&next.position) >= 0.0
     }
 
     /// Returns `true` if the parameters turn back on the step to a spot.
@@ -393,12 +393,12 @@ impl<'a> Trace<'a> {
         /// Accuracy along the secant: the parameters, which have an extreme there, change by its square, less than rounding.
         const WIDTH: f64 = 1e-10;
         let (a, b) = (self.at(), next);
-        let secant = self.difference(&b.place, &a.place);
+        let secant = self.difference(&b.position, &a.position);
         let size = norm(&secant);
         let secant: Vec<f64> = secant.into_iter().map(|x| x / size).collect();
         let change: Vec<f64> = b.tangent.iter().zip(&a.tangent).map(|(b, a)| b - a).rev().take(2).collect();
         let spot_at = |s: f64| {
-            let guess: Vec<f64> = a.place.iter().zip(&b.place).map(|(x, y)| x + s * (y - x)).collect();
+            let guess: Vec<f64> = a.position.iter().zip(&b.position).map(|(x, y)| x + s * (y - x)).collect();
             let unknowns = self.corrected(&guess, &secant)?;
             self.spot(unknowns, &a.tangent)
         };
@@ -417,7 +417,7 @@ impl<'a> Trace<'a> {
         if rest.is_some() {
             return false;
         }
-        let (state, parameters) = self.singular.parts(&spot.place);
+        let (state, parameters) = self.singular.parts(&spot.position);
         let in_units = |numbers: &[f64]| {
             norm(&numbers.iter().zip(&self.units).map(|(x, unit)| x / unit).collect::<Vec<_>>())
         };

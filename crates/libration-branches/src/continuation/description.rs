@@ -28,12 +28,16 @@ impl Corrector<'_> {
         tangent: &[f64],
         units: &[f64],
     ) -> Option<(BranchPoint, Vec<(Complex, f64)>)> {
-        let (&parameter, unknowns) = corrected.place.split_last()?;
-        let other = TOLERANCES.into_iter().find(|it| *it > self.tolerance).unwrap_or(0.1 * self.tolerance);
+        let (&parameter, unknowns) = corrected.position.split_last()?;
+        let other = TOLERANCES
+            .into_iter()
+            .find(|tolerance| *tolerance > self.tolerance)
+            .unwrap_or(0.1 * self.tolerance);
         let motion = self.family.whole(self.space, unknowns, &[parameter], other)?;
         // At a crossing of branches the state is not determined.
-        let errors = across(corrected, &motion.defect, tangent, units).filter(|it| norm(it).is_finite());
-        let off = errors.as_ref().map_or(0.0, |it| 4.0 * norm(it)) + 2.0 * corrected.stale;
+        let errors =
+            across(corrected, &motion.defect, tangent, units).filter(|errors| norm(errors).is_finite());
+        let off = errors.as_ref().map_or(0.0, |errors| 4.0 * norm(errors)) + 2.0 * corrected.stale;
         let image = (&corrected.image, corrected.map_slope * off);
         let (point, multipliers) =
             self.family.described(self.space, unknowns, &[parameter], image, &motion)?;
@@ -43,8 +47,8 @@ impl Corrector<'_> {
         let point = BranchPoint { error: state_error(&errors, motion.defect.len(), units), ..point };
         let growth = growth(&corrected.image, self.space, units);
         let closes = if growth * f64::EPSILON > LOST {
-            let (space, position, steps) = (self.space, &corrected.place[..], &motion.steps[..]);
-            let checked = MotionToCheck { space, place: position, steps, tangent, errors: &errors, units };
+            let (space, position, steps) = (self.space, &corrected.position[..], &motion.steps[..]);
+            let checked = MotionToCheck { space, position, steps, tangent, errors: &errors, units };
             self.family.closes_by_pieces(checked, growth)
         } else {
             closes(&corrected.image, &motion, point.error, growth, units)
@@ -126,7 +130,7 @@ impl Family<'_> {
         if !self.is_driven() {
             // The last multiplier by descending magnitude is the 0 of a deviation along the motion; the whole period adds its 1 again.
             multipliers.pop();
-            let before = multipliers.iter().take_while(|(it, _)| it.abs() > 1.0).count();
+            let before = multipliers.iter().take_while(|(multiplier, _)| multiplier.abs() > 1.0).count();
             multipliers.insert(before, (Complex::from(1.0), 0.0));
         }
         if space.mirrored {
@@ -173,10 +177,10 @@ fn multipliers_along(
 ) -> Vec<(Complex, f64)> {
     let Some(growth) = image.growth_along(units) else { return of_map.to_vec() };
     let map = image.return_map();
-    let multipliers: Vec<Complex> = of_map.iter().map(|(it, _)| *it).collect();
+    let multipliers: Vec<Complex> = of_map.iter().map(|(multiplier, _)| *multiplier).collect();
     let errors =
         multiplier_errors(map, &units[..map.len()], &multipliers, APART * (apart + f64::EPSILON) * growth);
-    of_map.iter().zip(errors).map(|((it, error), along)| (*it, error.max(along))).collect()
+    of_map.iter().zip(errors).map(|((multiplier, error), along)| (*multiplier, error.max(along))).collect()
 }
 
 /// The square of a multiplier with its error.
@@ -217,7 +221,8 @@ pub(super) fn parameter_error(corrected: &Corrected, direction: &[f64], units: &
 fn across(corrected: &Corrected, other: &[f64], tangent: &[f64], units: &[f64]) -> Option<Vec<f64>> {
     let first = &corrected.image.defect;
     let step = bordered(&corrected.image, tangent, units);
-    let rounding: Vec<f64> = corrected.place[..first.len()].iter().map(|x| f64::EPSILON * x.abs()).collect();
+    let rounding: Vec<f64> =
+        corrected.position[..first.len()].iter().map(|x| f64::EPSILON * x.abs()).collect();
     let mut other = other.to_vec();
     other.resize(first.len(), 0.0);
     let mut errors = step.errors(&rounding)?;

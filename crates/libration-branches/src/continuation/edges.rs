@@ -41,7 +41,7 @@ pub(super) struct Grid<'a> {
 #[derive(Clone, Debug)]
 pub(super) struct Crossing {
     pub(super) test: Test,
-    pub(super) place: [f64; 2],
+    pub(super) parameters: [f64; 2],
     /// Index of the parameter that varies between the two grid points.
     pub(super) along: usize,
     pub(super) rises: bool,
@@ -61,7 +61,7 @@ impl<'a> Grid<'a> {
 
     /// The stability of the equilibrium over the map, with the boundaries followed from the crossings.
     pub(super) fn stability(&self, edges: &[SpecialCurve]) -> RestStability {
-        let stable = |it: &Option<(Tests, bool)>| it.as_ref().map(|(_, stable)| *stable);
+        let stable = |tests: &Option<(Tests, bool)>| tests.as_ref().map(|(_, stable)| *stable);
         let stable = self.tests.iter().map(|row| row.iter().map(stable).collect()).collect();
         let ends = [self.values[0].first(), self.values[0].last()];
         let at_ends = ends.map(|end| end.map_or_else(Vec::new, |first| self.stable_ranges(*first, edges)));
@@ -76,7 +76,8 @@ impl<'a> Grid<'a> {
         let pairs = points.flat_map(|[column, row]| {
             [[[column, row], [column + 1, row]], [[column, row], [column, row + 1]]]
         });
-        let is_stable = |[column, row]: [usize; 2]| self.tests.get(row)?.get(column)?.as_ref().map(|it| it.1);
+        let is_stable =
+            |[column, row]: [usize; 2]| self.tests.get(row)?.get(column)?.as_ref().map(|tests| tests.1);
         let values = |[column, row]: [usize; 2]| [self.values[0][column], self.values[1][row]];
         let differ =
             pairs.filter(|[a, b]| matches!((is_stable(*a), is_stable(*b)), (Some(a), Some(b)) if a != b));
@@ -111,15 +112,16 @@ impl<'a> Grid<'a> {
         ranges
     }
 
-    fn at(&self, place: [f64; 2]) -> Option<(Tests, bool)> {
+    fn at(&self, parameters: [f64; 2]) -> Option<(Tests, bool)> {
         if self.family.watch.go_on().is_err() {
             return None;
         }
-        let image = self.family.image(self.space, self.rest, &place, TOLERANCES[0])?;
-        let units = self.family.sizes_in(self.family.drive_period(&place).unwrap_or(TAU));
+        let image = self.family.image(self.space, self.rest, &parameters, TOLERANCES[0])?;
+        let units = self.family.sizes_in(self.family.drive_period(&parameters).unwrap_or(TAU));
         let multipliers = multipliers(&image, &units, 0.0, 0.0)?;
         let tests = Tests::of(&multipliers, 0.0);
-        let stability = Stability::of(multipliers.iter().map(|(it, error)| (it.abs(), *error)));
+        let stability =
+            Stability::of(multipliers.iter().map(|(multiplier, error)| (multiplier.abs(), *error)));
         Some((tests, stability.may_last()))
     }
 
@@ -156,7 +158,7 @@ impl<'a> Grid<'a> {
             const WIDTH: f64 = 1e-6;
             let width = WIDTH * (to.0 - from.0).abs();
             let at = zero_between([from, to], Tolerance::absolute(width), value_at)?;
-            Some(Crossing { test, place: values(at), along, rises: from.1 < to.1 })
+            Some(Crossing { test, parameters: values(at), along, rises: from.1 < to.1 })
         };
         let mut crossings = vec![];
         for k in 1..axis.len() {
@@ -204,7 +206,7 @@ fn dip_next_to([end, next]: [Point; 2], f: impl Fn(f64) -> f64) -> Option<Point>
         at = 0.5 * (end.0 + at);
         let point = (at, f(at));
         if (point.1 > 0.0) != (end.1 > 0.0) {
-            return Some(point).filter(|it| !it.1.is_nan());
+            return Some(point).filter(|point| !point.1.is_nan());
         }
         if point.1.abs() < end.1.abs() {
             let mut three = [end, point, next];
@@ -220,8 +222,9 @@ fn passes(edge: &SpecialCurve, [a, b]: [[f64; 2]; 2]) -> bool {
     const MORE: f64 = 0.1;
     let beyond = |a: [f64; 2], b: [f64; 2]| [0, 1].map(|k| a[k] + MORE * (a[k] - b[k]));
     let [a, b] = [beyond(a, b), beyond(b, a)];
-    let side =
-        |[a, b]: [[f64; 2]; 2], it: [f64; 2]| (b[0] - a[0]) * (it[1] - a[1]) - (b[1] - a[1]) * (it[0] - a[0]);
+    let side = |[a, b]: [[f64; 2]; 2], point: [f64; 2]| {
+        (b[0] - a[0]) * (point[1] - a[1]) - (b[1] - a[1]) * (point[0] - a[0])
+    };
     let of = |point: &CurvePoint| [point.point.parameter, point.second];
     edge.points.windows(2).any(|pair| {
         let [c, d] = [of(&pair[0]), of(&pair[1])];

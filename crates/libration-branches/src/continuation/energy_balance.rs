@@ -81,8 +81,8 @@ impl EnergyBalance {
         if self.is_odd { vec![of(1.0)] } else { vec![of(1.0), of(-1.0)] }
     }
 
-    fn frequency(&self, place: f64) -> f64 {
-        Orbit::released(&self.free, place, &Quiet).map_or(f64::NAN, |orbit| orbit.frequency())
+    fn frequency(&self, displacement: f64) -> f64 {
+        Orbit::released(&self.free, displacement, &Quiet).map_or(f64::NAN, |orbit| orbit.frequency())
     }
 
     /// The free oscillations with a given frequency, each released from rest.

@@ -51,7 +51,7 @@ fn is_clear(before: &[Milestone], next: &Milestone) -> bool {
         let value = |milestone: &Milestone| (milestone.at, test.of(&milestone.tests));
         let three = [value(&a), value(&b), value(next)];
         // A test function without a sign, as in conservative systems, is pure rounding and cannot be tested.
-        if [&b, next].iter().any(|it| !test.has_sign(&it.tests)) {
+        if [&b, next].iter().any(|milestone| !test.has_sign(&milestone.tests)) {
             return true;
         }
         let off = match &earlier {

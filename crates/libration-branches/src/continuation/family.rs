@@ -144,7 +144,7 @@ fn scale_of_drive(layout: &StateLayout, rates: &Tape, law: &DriveLaw, ranges: &[
             });
             Some(values.fold(0.0, f64::max))
         };
-        (0..TIMES).map(at).try_fold(0.0_f64, |largest, it| Some(largest.max(it?)))
+        (0..TIMES).map(at).try_fold(0.0_f64, |largest, size| Some(largest.max(size?)))
     });
     match largest.into_iter().flatten().fold(0.0, f64::max) {
         size if is_of_other_units(size) && largest.iter().all(Option::is_some) => size,
@@ -297,7 +297,7 @@ impl<'w> Family<'w> {
             defect: space.missed(&end, state, &self.signs),
             map: (0..)
                 .zip(by_start)
-                .map(|(it, row)| row.into_iter().map(|x| sign(it) * x).collect())
+                .map(|(component, row)| row.into_iter().map(|x| sign(component) * x).collect())
                 .collect(),
             returned: None,
             largest,
@@ -354,7 +354,7 @@ impl<'w> Family<'w> {
         let is_zero = |(rate, slopes): (&f64, &Vec<f64>)| {
             rate.abs() <= REST * slopes.iter().zip(&state).map(|(slope, x)| (slope * x).abs()).sum::<f64>()
         };
-        if rates.is_some_and(|it| it.rates.iter().zip(&it.slopes).all(is_zero)) {
+        if rates.is_some_and(|values| values.rates.iter().zip(&values.slopes).all(is_zero)) {
             let mut aside = ASIDE;
             for coordinate in &mut state[..self.layout.coordinates()] {
                 *coordinate += aside * coordinate.abs().max(self.scale);
@@ -402,7 +402,8 @@ impl<'w> Family<'w> {
 }
 
 /// Returns `true` if all numbers are finite but, perhaps, the rates of change at the start.
-fn is_finite(found: &Variations) -> bool {
-    let matrices = found.by_start.iter().chain(&found.by_parameters).chain(&found.rates[1..]).flatten();
-    found.end.iter().chain(matrices).copied().all(f64::is_finite)
+fn is_finite(variations: &Variations) -> bool {
+    let matrices =
+        variations.by_start.iter().chain(&variations.by_parameters).chain(&variations.rates[1..]).flatten();
+    variations.end.iter().chain(matrices).copied().all(f64::is_finite)
 }

@@ -109,9 +109,9 @@ impl Search<'_> {
         let layout = &self.family.layout;
         let sizes = layout.arrange((0..layout.coordinates()).map(|_| size), |_| size * rate);
         let units: Vec<f64> = sizes.into_iter().chain([self.width()]).collect();
-        let across: Vec<f64> = (0..units.len()).map(|it| f64::from(it + 1 == units.len())).collect();
+        let across: Vec<f64> = (0..units.len()).map(|number| f64::from(number + 1 == units.len())).collect();
         let guess: Vec<f64> = state.iter().copied().chain([value]).collect();
-        let Corrected { place: mut unknowns, image, .. } =
+        let Corrected { position: mut unknowns, image, .. } =
             self.corrector(space).corrected(&guess, &across, &units)?;
         unknowns.pop();
         let multipliers = eigenvalues(image.return_map())?;

@@ -151,7 +151,7 @@ impl<'f> HarmonicBalance<'f> {
         });
         match self.solved(resized.collect()) {
             Some((motion, true)) => Some(self.estimate(motion, true)),
-            _ => Some(coarse).filter(|it| it.settled),
+            _ => Some(coarse).filter(|estimate| estimate.settled),
         }
     }
 
@@ -172,10 +172,10 @@ impl<'f> HarmonicBalance<'f> {
             let any = |is: &dyn Fn(usize) -> bool| {
                 (0..).zip(&shape).any(|(number, part)| *part != 0.0 && is(number))
             };
-            let amplitudes: Vec<f64> = if any(&|it| turns.is_angle(it)) {
-                TURNS.map(|it| it * TAU).to_vec()
-            } else if any(&|it| turns.is_coupled(it)) {
-                decades.clone().chain(TURNS_APART.map(|it| it * TAU)).collect()
+            let amplitudes: Vec<f64> = if any(&|coordinate| turns.is_angle(coordinate)) {
+                TURNS.map(|turns| turns * TAU).to_vec()
+            } else if any(&|coordinate| turns.is_coupled(coordinate)) {
+                decades.clone().chain(TURNS_APART.map(|turns| turns * TAU)).collect()
             } else {
                 decades.clone().collect()
             };
@@ -246,19 +246,22 @@ impl<'f> HarmonicBalance<'f> {
                 let project = |values: Values, row: usize| inner(&values, &displacements[row]);
                 let residual = std::array::from_fn(|k| highest[k] - rates.values[coordinate][k]);
                 let rows = &mut missed[coordinate * each..][..each];
-                rows.iter_mut().enumerate().for_each(|(row, it)| *it += project(residual, row));
+                rows.iter_mut().enumerate().for_each(|(row, missed)| *missed += project(residual, row));
                 let rows = &mut matrix[coordinate * each..][..each];
                 for column in 0..count {
                     let (other, function) = (column / each, column % each);
                     let by_place = &rates.slopes[other][coordinate];
-                    let by_velocity = layout.velocity(other).map(|it| &rates.slopes[it][coordinate]);
+                    let by_velocity =
+                        layout.velocity(other).map(|velocity| &rates.slopes[velocity][coordinate]);
                     let slope = std::array::from_fn(|k| {
                         let velocity = by_velocity.map_or(0.0, |slopes| slopes[k] * velocities[function][k]);
                         let highest =
                             if other == coordinate { samples.functions[order][function][k] } else { 0.0 };
                         highest - by_place[k] * displacements[function][k] - velocity
                     });
-                    rows.iter_mut().enumerate().for_each(|(row, it)| it[column] += project(slope, row));
+                    rows.iter_mut()
+                        .enumerate()
+                        .for_each(|(row, entries)| entries[column] += project(slope, row));
                 }
             }
         }
@@ -268,9 +271,10 @@ impl<'f> HarmonicBalance<'f> {
     fn states(&self, motion: &[f64], samples: &Samples) -> Vec<Values> {
         let each = self.functions();
         let value = |coordinate: usize, order| samples.value(&motion[coordinate * each..], order);
-        self.family
-            .layout
-            .arrange((0..self.family.layout.coordinates()).map(|it| value(it, 0)), |it| value(it, 1))
+        self.family.layout.arrange(
+            (0..self.family.layout.coordinates()).map(|coordinate| value(coordinate, 0)),
+            |coordinate| value(coordinate, 1),
+        )
     }
 
     fn rates(&mut self, motion: &[f64], number: usize, size: f64) -> Option<SampledRates> {
@@ -309,7 +313,7 @@ fn inner(a: &Values, b: &Values) -> f64 {
 /// Proportions of the coordinates: each alone, all together, and neighbours in opposition.
 fn shapes(coordinates: usize) -> Vec<Vec<f64>> {
     let each = |part: &dyn Fn(usize) -> f64| (0..coordinates).map(part).collect();
-    let alone = (0..coordinates).map(|moving| each(&|it| f64::from(it == moving)));
-    let together = [1.0, -1.0].map(|sign| each(&|it| if it % 2 == 0 { 1.0 } else { sign }));
+    let alone = (0..coordinates).map(|moving| each(&|number| f64::from(number == moving)));
+    let together = [1.0, -1.0].map(|sign| each(&|number| if number % 2 == 0 { 1.0 } else { sign }));
     alone.chain(together.into_iter().filter(|_| coordinates > 1)).collect()
 }

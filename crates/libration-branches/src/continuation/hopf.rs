@@ -34,7 +34,7 @@ pub(super) fn hopf(
     const NEAR: f64 = 1e-6;
     const DOUBLINGS: i32 = 16;
     let rest = |value: f64| Rest::near(field, near, value, TAU / period);
-    let growth = |value: f64| rest(value).map_or(f64::NAN, |it| it.critical.re);
+    let growth = |value: f64| rest(value).map_or(f64::NAN, |rest| rest.critical.re);
     let ends = |doublings: i32| {
         let aside = NEAR * width * libm::exp2(f64::from(doublings));
         [value - aside, value + aside].map(|end| (end, growth(end)))

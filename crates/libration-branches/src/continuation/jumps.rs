@@ -40,11 +40,11 @@ pub(super) fn jumps<'a>(
         Some(Jump {
             rising: left.parameter < value,
             from: fold.point.clone(),
-            to: to.filter(|it| it.is_stable()).collect(),
+            to: to.filter(|point| point.is_stable()).collect(),
         })
     };
     let folds = branches.iter().enumerate().flat_map(|(number, branch)| {
-        let folds = branch.special.iter().filter(|it| it.kind == SpecialKind::Fold);
+        let folds = branch.special.iter().filter(|special| special.kind == SpecialKind::Fold);
         folds.map(move |fold| (number, fold))
     });
     folds.filter_map(|(number, fold)| jump(number, fold)).collect()

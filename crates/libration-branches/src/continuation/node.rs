@@ -59,14 +59,14 @@ impl Node {
     /// computed twice: first to learn the sizes of its motion, then with these sizes as units.
     pub(super) fn near(
         corrector: &Corrector<'_>,
-        place: &[f64],
+        position: &[f64],
         [across, along]: [&[f64]; 2],
         width: f64,
     ) -> Option<Self> {
-        let mut sizes = corrector.family.first_units(place, width);
+        let mut sizes = corrector.family.first_units(position, width);
         let mut node: Option<Self> = None;
         for _ in 0..2 {
-            let corrected = corrector.corrected(place, &in_units(across, &sizes), &sizes)?;
+            let corrected = corrector.corrected(position, &in_units(across, &sizes), &sizes)?;
             let next = Self::new(corrector, corrected, along, &sizes)?;
             sizes = corrector.family.units(&next.point, corrector.family.largest_swing(&next.point), width);
             node = Some(next);
@@ -74,8 +74,8 @@ impl Node {
         node
     }
 
-    pub(super) fn place(&self) -> &[f64] {
-        &self.corrected.place
+    pub(super) fn position(&self) -> &[f64] {
+        &self.corrected.position
     }
 }
 
@@ -87,13 +87,16 @@ impl Tests {
     }
 
     /// The tests of multipliers with their errors, by descending magnitude.
-    pub(super) fn of(own: &[(Complex, f64)], fold: f64) -> Self {
+    pub(super) fn of(multipliers: &[(Complex, f64)], fold: f64) -> Self {
         let one = Complex::from(1.0);
         // The product of a large multiplier and its inverse has an error like that of the square of the large one.
-        let largest = own.first().map_or(1.0, |(it, _)| it.abs().max(1.0));
+        let largest = multipliers.first().map_or(1.0, |(multiplier, _)| multiplier.abs().max(1.0));
         let rounding = largest * largest;
-        let shifted = |by: f64| own.iter().map(move |(it, error)| (*it + Complex::from(by), *error));
-        let pairs = (0..own.len()).flat_map(|i| (0..i).map(move |j| (own[i], own[j])));
+        let shifted = |by: f64| {
+            multipliers.iter().map(move |(multiplier, error)| (*multiplier + Complex::from(by), *error))
+        };
+        let pairs =
+            (0..multipliers.len()).flat_map(|i| (0..i).map(move |j| (multipliers[i], multipliers[j])));
         let products = pairs.map(|((a, e), (b, f))| {
             let error = e * b.abs() + f * a.abs() + e * f;
             ((a * b - one).scaled(1.0 / rounding), error / rounding)
@@ -104,26 +107,32 @@ impl Tests {
             branching: branching.0,
             flip: flip.0,
             torus: torus.0,
-            collision: collision(own, largest),
-            is_reciprocal: is_reciprocal(own, largest),
+            collision: collision(multipliers, largest),
+            is_reciprocal: is_reciprocal(multipliers, largest),
             noise: [branching.1, flip.1, torus.1],
         }
     }
 }
 
 /// `true` if the power sums of the multipliers are those of their inverses, and their product is 1.
-fn is_reciprocal(own: &[(Complex, f64)], largest: f64) -> bool {
+fn is_reciprocal(multipliers: &[(Complex, f64)], largest: f64) -> bool {
     /// A damping that changes a multiplier by less than this part moves boundaries by its square.
     const ROUNDING: f64 = 1e-10;
     let one = Complex::from(1.0);
-    let (mut powers, mut inverses) = (vec![one; own.len()], vec![one; own.len()]);
-    let product = own.iter().fold(one, |product, (it, _)| product * *it);
+    let (mut powers, mut inverses) = (vec![one; multipliers.len()], vec![one; multipliers.len()]);
+    let product = multipliers.iter().fold(one, |product, (multiplier, _)| product * *multiplier);
     let mut scale = 1.0;
     (product - one).abs() <= ROUNDING * largest
-        && (0..own.len() / 2).all(|_| {
+        && (0..multipliers.len() / 2).all(|_| {
             scale *= largest;
-            powers.iter_mut().zip(own).for_each(|(power, (it, _))| *power = *power * *it);
-            inverses.iter_mut().zip(own).for_each(|(inverse, (it, _))| *inverse = *inverse / *it);
+            powers
+                .iter_mut()
+                .zip(multipliers)
+                .for_each(|(power, (multiplier, _))| *power = *power * *multiplier);
+            inverses
+                .iter_mut()
+                .zip(multipliers)
+                .for_each(|(inverse, (multiplier, _))| *inverse = *inverse / *multiplier);
             let sums = powers.iter().zip(&inverses).map(|(a, b)| (*a - *b).re);
             sums.sum::<f64>().abs() <= ROUNDING * scale
         })
@@ -131,16 +140,16 @@ fn is_reciprocal(own: &[(Complex, f64)], largest: f64) -> bool {
 
 /// The discriminant of the numbers a = λ + 1/λ over pairs of multipliers, relative to the largest multiplier: the determinant
 /// of their power sums Σaᵏ, which follow from Σλᵐ. Zero without two pairs.
-fn collision(own: &[(Complex, f64)], largest: f64) -> f64 {
-    let pairs = own.len() / 2;
-    if pairs < 2 || own.len() % 2 == 1 {
+fn collision(multipliers: &[(Complex, f64)], largest: f64) -> f64 {
+    let pairs = multipliers.len() / 2;
+    if pairs < 2 || multipliers.len() % 2 == 1 {
         return 0.0;
     }
-    let mut powers = vec![Complex::from(1.0); own.len()];
+    let mut powers = vec![Complex::from(1.0); multipliers.len()];
     let mut traces = vec![];
     for _ in 0..2 * pairs - 1 {
         traces.push(powers.iter().map(|power| power.re).sum::<f64>());
-        powers.iter_mut().zip(own).for_each(|(power, (it, _))| *power = *power * *it);
+        powers.iter_mut().zip(multipliers).for_each(|(power, (multiplier, _))| *power = *power * *multiplier);
     }
     // Σaᵏ = ½ Σ C(k, j) Σλ^(k−2j), since a pair contributes λᵐ + λ⁻ᵐ.
     let (mut row, mut sums, mut scale) = (vec![1.0], vec![], 1.0);
@@ -167,7 +176,7 @@ fn product(factors: impl Iterator<Item = (Complex, f64)>) -> (f64, f64) {
 
 /// Hermite's cubic through two points with their directions, s from 0 to 1.
 pub(super) fn between(a: &Node, b: &Node, units: &[f64], s: f64) -> Vec<f64> {
-    let distance = norm(&difference(b.place(), a.place(), units));
+    let distance = norm(&difference(b.position(), a.position(), units));
     let slope = |node: &Node| {
         let size = norm(&node.direction.iter().zip(units).map(|(x, unit)| x / unit).collect::<Vec<_>>());
         node.direction.iter().map(|x| x * distance / size).collect::<Vec<_>>()
@@ -176,7 +185,7 @@ pub(super) fn between(a: &Node, b: &Node, units: &[f64], s: f64) -> Vec<f64> {
     let (one, other) = (s * s * (3.0 - 2.0 * s), s * (1.0 - s));
     (0..from.len())
         .map(|j| {
-            let [x, y] = [a.place()[j], b.place()[j]];
+            let [x, y] = [a.position()[j], b.position()[j]];
             x + one * (y - x) + other * ((1.0 - s) * from[j] - s * to[j])
         })
         .collect()

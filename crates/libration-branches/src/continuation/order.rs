@@ -50,7 +50,8 @@ impl std::str::FromStr for ResonanceOrder {
         let (Some(oscillations), Some(drive_periods)) = (number(above), number(below)) else {
             return Err(ParseOrderError(text.trim().to_owned()));
         };
-        let shared = (1..=MOST).rev().find(|it| oscillations % it == 0 && drive_periods % it == 0);
+        let shared =
+            (1..=MOST).rev().find(|divisor| oscillations % divisor == 0 && drive_periods % divisor == 0);
         let shared = shared.unwrap_or(1);
         Ok(Self { oscillations: oscillations / shared, drive_periods: drive_periods / shared })
     }

@@ -170,7 +170,7 @@ impl Search<'_> {
             state = self.family.moved_on(
                 &state,
                 value,
-                [f64::from(number), f64::from(number + 1)].map(|it| it * half),
+                [f64::from(number), f64::from(number + 1)].map(|multiple| multiple * half),
             )?;
         }
         Some(copies)

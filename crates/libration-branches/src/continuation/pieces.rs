@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 pub(super) struct MotionToCheck<'a> {
     pub(super) space: Space,
     /// The unknowns, then the parameter.
-    pub(super) place: &'a [f64],
+    pub(super) position: &'a [f64],
     /// The steps over the time of the space.
     pub(super) steps: &'a [OwnedStep],
     /// The direction of the branch and the errors perpendicular to it, in scaled units.
@@ -24,7 +24,7 @@ impl Family<'_> {
     /// `true` if there is an orbit of the whole equation near a motion, within its errors, by
     /// integration piece by piece over the whole period. `growth` is that of deviations over the period.
     pub(super) fn closes_by_pieces(&self, motion: MotionToCheck<'_>, growth: f64) -> bool {
-        let MotionToCheck { space, place: position, steps, tangent, errors, units } = motion;
+        let MotionToCheck { space, position, steps, tangent, errors, units } = motion;
         let Some((&parameter, unknowns)) = position.split_last() else { return false };
         let Some(half) = self.duration(space, unknowns, &[parameter]) else { return false };
         let times = if space.mirrored { 2.0 } else { 1.0 };
@@ -49,7 +49,7 @@ impl Family<'_> {
                 self.variations(state, parameters, parts.map(|part| whole * part), TOLERANCES[0])?;
             let by_whole = Piece::by_duration(
                 &integrated.by_start,
-                integrated.rates.each_ref().map(|it| &it[..]),
+                integrated.rates.each_ref().map(|rate| &rate[..]),
                 parts,
             );
             let last = further.len() - 1;
@@ -60,7 +60,7 @@ impl Family<'_> {
             let by_further = (0..further.len()).map(column).collect();
             Some(Piece { by_further, end: integrated.end, by_start: integrated.by_start })
         };
-        Checked { frame, place: position, errors, growth }.closes(state_at, piece)
+        Checked { frame, position, errors, growth }.closes(state_at, piece)
     }
 
     /// The linearised condition, in scaled units, that an autonomous motion begins where its first coordinate turns back.

@@ -50,7 +50,7 @@ impl BranchPoint {
     pub(super) fn with_multipliers(self, multipliers: Vec<(Complex, f64)>) -> Self {
         let along = multipliers.iter().position(|multiplier| *multiplier == (Complex::from(1.0), 0.0));
         let counted = (0..).zip(&multipliers).filter(|(index, _)| Some(*index) != along);
-        let stability = Stability::of(counted.map(|(_, (it, error))| (it.abs(), *error)));
+        let stability = Stability::of(counted.map(|(_, (multiplier, error))| (multiplier.abs(), *error)));
         let (multipliers, multiplier_errors) = multipliers.into_iter().unzip();
         Self { multipliers, multiplier_errors, stability, ..self }
     }
@@ -75,7 +75,7 @@ impl BranchPoint {
         let apart = |&(i, j): &(usize, usize)| (multipliers[i] - multipliers[j]).abs();
         let nearest = pairs.min_by(|a, b| apart(a).total_cmp(&apart(b)));
         nearest.is_some_and(|(i, j)| {
-            [multipliers[i], multipliers[j]].iter().all(|it| (it.abs() - 1.0).abs() < OFF)
+            [multipliers[i], multipliers[j]].iter().all(|multiplier| (multiplier.abs() - 1.0).abs() < OFF)
         })
     }
 }

@@ -91,7 +91,7 @@ impl SpecialPoint {
         let units = family.units(&self.point, family.largest_swing(&self.point), width);
         let bits = usize::try_from(digits).unwrap_or(usize::MAX / 8) * 10 / 3 + SPARE;
         let root = PreciseSearch { singular, flow, units, ring: Floats { precision: bits }, digits };
-        Ok(root.found(self))
+        Ok(root.located(self))
     }
 }
 
@@ -104,7 +104,7 @@ struct PreciseSearch<'a> {
 }
 
 impl PreciseSearch<'_> {
-    fn found(&self, special: &SpecialPoint) -> Option<PreciseSpecial> {
+    fn located(&self, special: &SpecialPoint) -> Option<PreciseSpecial> {
         let state = &special.point.state;
         let free = if self.singular.rest.is_some() { &[][..] } else { state };
         let start: Vec<f64> = free.iter().copied().chain([special.point.parameter]).collect();
@@ -133,11 +133,17 @@ impl PreciseSearch<'_> {
     }
 
     /// Newton's correction in scaled units, with series to an order.
-    fn change(&self, slopes: &[Vec<f64>], place: &[BigFloat], units: &[f64], order: u32) -> Option<Vec<f64>> {
+    fn change(
+        &self,
+        slopes: &[Vec<f64>],
+        position: &[BigFloat],
+        units: &[f64],
+        order: u32,
+    ) -> Option<Vec<f64>> {
         let zero: Vec<BigFloat> = vec![self.ring.zero(); self.flow_numbers()];
         let (state, parameter) = match self.singular.rest {
-            Some(_) => (&zero[..], place),
-            None => place.split_at(place.len() - 1),
+            Some(_) => (&zero[..], position),
+            None => position.split_at(position.len() - 1),
         };
         let image = self.flow.image(self.ring, order, self.singular.space, [state, parameter])?;
         let test = self.test(&image)?;
@@ -181,14 +187,14 @@ impl PreciseSearch<'_> {
     fn with_error(
         &self,
         slopes: &[Vec<f64>],
-        place: Vec<BigFloat>,
+        position: Vec<BigFloat>,
         units: &[f64],
         order: u32,
     ) -> Option<PreciseSpecial> {
         /// Increase of the order for the error estimate: another order has other steps and other rounding errors.
         const MORE: u32 = 9;
-        let change = self.change(slopes, &place, units, order + MORE)?;
-        let mut state = place;
+        let change = self.change(slopes, &position, units, order + MORE)?;
+        let mut state = position;
         let parameter = state.pop()?;
         let unit = *units.last()?;
         let rounding =

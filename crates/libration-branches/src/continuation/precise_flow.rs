@@ -20,7 +20,7 @@ const MOST_STEPS: usize = 5000;
 
 /// A driven system over one parameter, whose motions are power series in time.
 pub(super) struct PreciseFlow<'w> {
-    own: StateLayout,
+    layout: StateLayout,
     all: StateLayout,
     /// The rates of the motion and of its derivatives, as functions of the state, the time and the parameter.
     tape: Tape,
@@ -51,7 +51,7 @@ impl<'w> PreciseFlow<'w> {
         let mut inputs = all.symbols(with_derivatives.variables());
         inputs.extend([Symbol::plain("t"), Symbol::plain(parameter)]);
         let tape = Tape::new(&with_derivatives.derivatives().iter().collect::<Vec<_>>(), &inputs)?;
-        Ok(Self { own: layout, all, tape, law: DriveLaw::new(equation, &[parameter])?, signs, watch })
+        Ok(Self { layout, all, tape, law: DriveLaw::new(equation, &[parameter])?, signs, watch })
     }
 
     /// The image of a state, by series to an order; `None` if the motion cannot be integrated.
@@ -63,8 +63,8 @@ impl<'w> PreciseFlow<'w> {
         [state, parameter]: [&[BigFloat]; 2],
     ) -> Option<PreciseImage> {
         let parameter = parameter.first()?;
-        let numbers = self.own.numbers();
-        let address = |number: usize, copy: usize| self.own.place_in_copy(number, copy, numbers);
+        let numbers = self.layout.numbers();
+        let address = |number: usize, copy: usize| self.layout.place_in_copy(number, copy, numbers);
         let mut now = vec![ring.zero(); self.all.numbers()];
         for (number, value) in state.iter().enumerate() {
             now[address(number, 0)] = value.clone();

@@ -197,17 +197,17 @@ impl Search<'_> {
     /// Follows the branches through motions at a value that are not yet on a branch.
     fn begin(
         &self,
-        found: &mut FollowedBranches,
+        followed: &mut FollowedBranches,
         missing: &mut Vec<(f64, BranchError)>,
         (value, into): Beginning,
         starts: Vec<Start>,
     ) {
         for start in starts {
-            if self.is_known(&found.branches, value, &start) {
+            if self.is_known(&followed.branches, value, &start) {
                 continue;
             }
             match self.through(value, &start, into) {
-                Ok(Some(walked)) => self.keep(found, walked, 0),
+                Ok(Some(walked)) => self.keep(followed, walked, 0),
                 Ok(None) if self.family.watch.is_stopped() => {}
                 Ok(None) if self.family.is_driven() => missing.push((value, BranchError::NoNeighbour)),
                 Ok(None) => missing.push((value, BranchError::NotFollowed)),
@@ -216,37 +216,37 @@ impl Search<'_> {
         }
     }
 
-    fn follow_all(&self, found: &mut FollowedBranches) {
-        while !self.family.watch.is_stopped() && self.follow_next(found) {}
+    fn follow_all(&self, followed: &mut FollowedBranches) {
+        while !self.family.watch.is_stopped() && self.follow_next(followed) {}
     }
 
     /// Adds a branch, with the branches that leave it and the meetings at its ends.
-    fn keep(&self, found: &mut FollowedBranches, walked: Walked, generation: usize) {
-        found.leaving.extend(self.leaving(&walked, generation));
-        found.met.extend(walked.meetings.iter().map(|meeting| (walked.branch.space, meeting.clone())));
-        found.open.extend(walked.meetings.into_iter().map(|meeting| (generation, meeting)));
-        found.branches.push(walked.branch);
+    fn keep(&self, followed: &mut FollowedBranches, walked: Walked, generation: usize) {
+        followed.leaving.extend(self.leaving(&walked, generation));
+        followed.met.extend(walked.meetings.iter().map(|meeting| (walked.branch.space, meeting.clone())));
+        followed.open.extend(walked.meetings.into_iter().map(|meeting| (generation, meeting)));
+        followed.branches.push(walked.branch);
     }
 
     /// Follows a branch that leaves another one, or one on which another branch ends; returns `false` if none is left. The search terminates: a
     /// branch that leaves another one has a higher generation, and one on which another branch ends has the same generation and a smaller space.
-    fn follow_next(&self, found: &mut FollowedBranches) -> bool {
-        if let Some((generation, start)) = found.leaving.pop() {
-            if !found.met.iter().any(|(space, meeting)| self.is_met(&start, *space, meeting.parameter))
+    fn follow_next(&self, followed: &mut FollowedBranches) -> bool {
+        if let Some((generation, start)) = followed.leaving.pop() {
+            if !followed.met.iter().any(|(space, meeting)| self.is_met(&start, *space, meeting.parameter))
                 && let Some(walked) = self.switched(&start)
             {
-                self.keep(found, walked, generation);
+                self.keep(followed, walked, generation);
             }
             return true;
         }
-        let Some((generation, meeting)) = found.open.pop() else { return false };
+        let Some((generation, meeting)) = followed.open.pop() else { return false };
         let Meeting { parameter, unknowns, space } = meeting;
         let start = Start { unknowns, space };
-        if !self.is_followed(&found.branches, parameter, &start)
-            && let Some(mut walked) = self.beside(&found.branches, parameter, &start)
+        if !self.is_followed(&followed.branches, parameter, &start)
+            && let Some(mut walked) = self.beside(&followed.branches, parameter, &start)
         {
             walked.branch.origin = Origin::Meeting;
-            self.keep(found, walked, generation);
+            self.keep(followed, walked, generation);
         }
         true
     }

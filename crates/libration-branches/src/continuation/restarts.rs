@@ -24,10 +24,10 @@ impl Walk<'_> {
         }
         let tangent = in_units(&last.direction, units);
         let at = |length: f64| {
-            let step = |j: usize| last.place()[j] + units[j] * length * tangent[j];
+            let step = |j: usize| last.position()[j] + units[j] * length * tangent[j];
             let guess: Vec<f64> = (0..tangent.len()).map(step).collect();
             let corrected = self.corrector.corrected(&guess, &tangent, units)?;
-            let is_near = norm(&difference(&corrected.place, last.place(), units)) <= NEAR * length;
+            let is_near = norm(&difference(&corrected.position, last.position(), units)) <= NEAR * length;
             let node = is_near.then(|| Node::new(&self.corrector, corrected, &last.direction, units))??;
             let cosine: f64 = in_units(&node.direction, units).iter().zip(&tangent).map(|(a, b)| a * b).sum();
             (cosine >= libm::cos(TURN)).then_some((node, length))
@@ -75,7 +75,7 @@ impl Walk<'_> {
     fn other_turns(&self, units: &[f64]) -> Option<Vec<Node>> {
         let Corrector { family, space, .. } = self.corrector;
         let node = self.at();
-        let (parameter, unknowns) = node.place().split_last()?;
+        let (parameter, unknowns) = node.position().split_last()?;
         family.field()?;
         let duration = family.duration(space, unknowns, &[*parameter])?;
         let (steps, _) =
@@ -86,13 +86,13 @@ impl Walk<'_> {
             node.direction.iter().enumerate().map(|(j, x)| if j < numbers { 0.0 } else { *x }).collect();
         let from = |state: Vec<f64>| {
             let position: Vec<f64> =
-                state.into_iter().chain(node.place()[numbers..].iter().copied()).collect();
+                state.into_iter().chain(node.position()[numbers..].iter().copied()).collect();
             let corrected = self.corrector.corrected(&position, &in_units(&along, units), units)?;
             Node::new(&self.corrector, corrected, &along, units)
         };
         let turns = steps
             .iter()
-            .flat_map(|owned| turns_in(owned, 0, 0.0, duration).into_iter().map(move |it| (owned, it)));
+            .flat_map(|owned| turns_in(owned, 0, 0.0, duration).into_iter().map(move |time| (owned, time)));
         Some(turns.filter_map(|(owned, time)| from(owned.step().state_at(time))).collect())
     }
 }

@@ -73,7 +73,7 @@ impl Search<'_> {
             let position: Vec<f64> = state.iter().copied().chain([value]).collect();
             let units = self.family.first_units(&position, 1.0);
             if let Some(corrected) = corrector.corrected(&position, &across, &units) {
-                let mut unknowns = corrected.place;
+                let mut unknowns = corrected.position;
                 unknowns.pop();
                 let angle = &mut unknowns[space.rotation?.coordinate];
                 *angle -= TAU * libm::rint(*angle / TAU);

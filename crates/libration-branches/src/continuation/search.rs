@@ -61,7 +61,7 @@ impl Search<'_> {
 
     /// The equations at a value of the parameter.
     pub(super) fn at(&self, value: f64) -> Result<Equation, OrbitError> {
-        let exact = BigFloat::from_f64(value, 53).map(|it| Expression::Number(it.to_rational()));
+        let exact = BigFloat::from_f64(value, 53).map(|fraction| Expression::Number(fraction.to_rational()));
         let put_in = exact.and_then(|exact| self.equation.with(&[(self.parameter, exact)]).ok());
         put_in.ok_or(OrbitError::NoPeriod)
     }
@@ -188,7 +188,7 @@ impl Search<'_> {
 
     pub(super) fn smallest(&self, space: Space, state: &[f64], value: f64) -> Space {
         let mut smaller = space.within(self.family.symmetry).into_iter();
-        match smaller.find(|it| self.belongs_to(*it, state, value)) {
+        match smaller.find(|space| self.belongs_to(*space, state, value)) {
             Some(smaller) => self.smallest(smaller, state, value),
             None => space,
         }

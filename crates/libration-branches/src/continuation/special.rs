@@ -157,8 +157,8 @@ impl Stretch<'_> {
         let Corrector { family, space, .. } = self.corrector;
         let turns = Test::Fold.changes(self.ends[0], self.ends[1]);
         let may_be_rest = match family.is_driven() {
-            true => space.mirrored && family.mirrors_all() && self.size(self.ends[1].place()) < 1.0,
-            false => self.speed(self.ends[1].place()).is_some_and(|speed| speed < 1.0),
+            true => space.mirrored && family.mirrors_all() && self.size(self.ends[1].position()) < 1.0,
+            false => self.speed(self.ends[1].position()).is_some_and(|speed| speed < 1.0),
         };
         turns && (may_be_rest || !space.within(family.symmetry).is_empty())
     }
@@ -171,14 +171,14 @@ impl Stretch<'_> {
     }
 
     /// The size of a state in scaled units.
-    fn size(&self, place: &[f64]) -> f64 {
-        let state = self.corrector.family.state(place).iter().zip(self.units);
+    fn size(&self, position: &[f64]) -> f64 {
+        let state = self.corrector.family.state(position).iter().zip(self.units);
         norm(&state.map(|(x, unit)| x / unit).collect::<Vec<_>>())
     }
 
     /// The distance in units that a state moves in the time of one radian of phase, if no drive sets the period.
-    fn speed(&self, place: &[f64]) -> Option<f64> {
-        let (parameter, unknowns) = place.split_last()?;
+    fn speed(&self, position: &[f64]) -> Option<f64> {
+        let (parameter, unknowns) = position.split_last()?;
         let Corrector { family, .. } = self.corrector;
         let rates = family.field()?.at(family.state(unknowns), &[*parameter])?.rates;
         let radian = unknowns.last()? / TAU;
@@ -225,20 +225,20 @@ impl Stretch<'_> {
     pub(super) fn falls_into_smaller_space(&self) -> bool {
         /// Largest defect relative to the size of the motion, far above that of a corrected motion.
         const SAME: f64 = 1e-6;
-        let [from, to] = self.ends.map(Node::place);
+        let [from, to] = self.ends.map(Node::position);
         self.smaller_space(to, SAME).is_some_and(|_| self.smaller_space(from, SAME).is_none())
     }
 
     /// The space within this one in which a motion closes, up to a defect relative to its size.
-    fn smaller_space(&self, place: &[f64], largest: f64) -> Option<Space> {
-        let (parameter, unknowns) = place.split_last()?;
+    fn smaller_space(&self, position: &[f64], largest: f64) -> Option<Space> {
+        let (parameter, unknowns) = position.split_last()?;
         let Corrector { family, space, tolerance, .. } = self.corrector;
         let misses = |smaller: Space| {
             let image = family.image(smaller, unknowns, &[*parameter], *tolerance)?;
             Some(norm(&image.defect.iter().zip(self.units).map(|(d, unit)| d / unit).collect::<Vec<_>>()))
         };
         let mut smaller = space.within(family.symmetry).into_iter();
-        smaller.find(|it| misses(*it).is_some_and(|off| off < largest))
+        smaller.find(|smaller| misses(*smaller).is_some_and(|off| off < largest))
     }
 
     /// The singular points on the stretch, in order, and whether all of which a test has another sign at its end were located.
@@ -253,7 +253,7 @@ impl Stretch<'_> {
             (Test::Torus.changes(a, b), Test::Torus),
         ];
         let wanted: Vec<Test> =
-            wanted.into_iter().filter(|(changes, _)| *changes).map(|(_, it)| it).collect();
+            wanted.into_iter().filter(|(changes, _)| *changes).map(|(_, test)| test).collect();
         let mut specials: Vec<(f64, Located)> =
             wanted.iter().filter_map(|test| self.located(*test)).collect();
         let are_all = specials.len() == wanted.len();
@@ -273,7 +273,7 @@ impl Stretch<'_> {
         let [a, b] = self.ends;
         let flatter = if a.tests.fold.abs() < b.tests.fold.abs() { a } else { b };
         let steepest = a.tests.fold.abs().max(b.tests.fold.abs());
-        let way = norm(&difference(a.place(), b.place(), self.units)) * self.units.last()?;
+        let way = norm(&difference(a.position(), b.position(), self.units)) * self.units.last()?;
         let apart = (a.point.parameter - b.point.parameter).abs();
         let perpendicular = parameter_error(&flatter.corrected, &flatter.direction, self.units)?;
         let error = perpendicular + apart + steepest * way + f64::EPSILON * flatter.point.parameter.abs();
@@ -302,7 +302,7 @@ impl Stretch<'_> {
             let unknowns = between(&a, &b, self.units, from / (from - to));
             let corrected = Corrected {
                 image: corrector.image(&unknowns)?,
-                place: unknowns,
+                position: unknowns,
                 first: 0.0,
                 map_slope: 1.0,
                 stale: 0.0,
@@ -317,7 +317,7 @@ impl Stretch<'_> {
         let [(node, [a, b]), (again, _)] = both.next()?;
         let off = |beside: &Node| (beside.point.parameter - node.point.parameter).abs();
         let errors =
-            [&a, &b].map(|it| parameter_error(&it.corrected, &it.direction, self.units).unwrap_or(0.0));
+            [&a, &b].map(|node| parameter_error(&node.corrected, &node.direction, self.units).unwrap_or(0.0));
         let missed = off(&a).max(off(&b)) + off(&again) + f64::EPSILON * node.point.parameter.abs();
         let error = errors[0].max(errors[1]) + 4.0 * (missed + left_of(test, [&node, &again], [&a, &b]));
         let kind = self.kind(Test::Branching, &node);
@@ -371,7 +371,7 @@ impl Stretch<'_> {
     fn corrected_at(&self, corrector: &Corrector<'_>, s: f64) -> Option<(Corrected, Vec<f64>)> {
         let [a, b] = self.ends;
         let guess = between(a, b, self.units, s);
-        let secant = difference(b.place(), a.place(), self.units);
+        let secant = difference(b.position(), a.position(), self.units);
         let size = norm(&secant);
         let secant: Vec<f64> = secant.into_iter().map(|x| x / size).collect();
         Some((corrector.corrected(&guess, &secant, self.units)?, secant))
@@ -402,7 +402,8 @@ impl Stretch<'_> {
             .map(|(i, row)| row.iter().enumerate().map(|(j, x)| if i == j { x - 1.0 } else { *x }).collect());
         let vectors = null_space(&Doubles, |x| x.abs(), &less_one.collect::<Vec<Vec<f64>>>(), 1);
         let Some(vector) = vectors.and_then(|mut all| all.pop()) else { return false };
-        let scaled = |it: &[f64]| it.iter().zip(self.units).map(|(x, unit)| x / unit).collect::<Vec<f64>>();
+        let scaled =
+            |vector: &[f64]| vector.iter().zip(self.units).map(|(x, unit)| x / unit).collect::<Vec<f64>>();
         family.loses_partial_mirror(&scaled(&node.point.state), &scaled(&vector))
     }
 }
@@ -419,7 +420,7 @@ fn left_of(test: Test, at: [&Node; 2], [a, b]: [&Node; 2]) -> f64 {
     let largest =
         |node: &Node| node.point.multipliers.first().map_or(1.0, |multiplier| multiplier.abs().max(1.0));
     let scale = if test == Test::Torus { largest(at[0]) * largest(at[0]) } else { 1.0 };
-    let left: f64 = at.iter().map(|it| test.of(&it.tests).abs()).sum::<f64>() + product(at[0]) / scale;
+    let left: f64 = at.iter().map(|node| test.of(&node.tests).abs()).sum::<f64>() + product(at[0]) / scale;
     let slope = (test.of(&b.tests) - test.of(&a.tests)) / (b.point.parameter - a.point.parameter);
     if slope.is_normal() { left / slope.abs() } else { 0.0 }
 }

@@ -107,7 +107,8 @@ impl Response {
         let family = Family::new(equation, &[parameter], &[[low, high]], watch)?;
         let last = count(values.max(2) - 1);
         let part = |number: usize| low + (high - low) * (count(number) / last);
-        let evenly: Vec<f64> = (0..values).map(|it| if it + 1 == values { high } else { part(it) }).collect();
+        let evenly: Vec<f64> =
+            (0..values).map(|number| if number + 1 == values { high } else { part(number) }).collect();
         let mut sweeps = vec![];
         for rising in [true, false] {
             let ordered: Vec<f64> =
@@ -178,7 +179,7 @@ impl Sweeping<'_> {
             if let Some((periods, earlier)) = repeats.filter(|(periods, _)| !is_transient(*periods)) {
                 let turns =
                     |number: &usize| self.whole_turns(*number, next[*number] - earlier[*number]) / TAU;
-                let around = (0..self.angles.len()).find(|it| turns(it) != 0.0);
+                let around = (0..self.angles.len()).find(|angle| turns(angle) != 0.0);
                 #[expect(clippy::cast_possible_truncation, reason = "whole turns in at most eight periods")]
                 let rotation = around
                     .map(|around| Rotation { coordinate: around, turns: libm::rint(turns(&around)) as i32 });

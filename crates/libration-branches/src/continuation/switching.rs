@@ -69,9 +69,9 @@ impl Search<'_> {
         let largest = vector.iter().zip(&sizes).map(|(x, unit)| (x / unit).abs()).fold(0.0, f64::max);
         let mut aside: Vec<f64> = vector.iter().map(|x| distance * x / largest).collect();
         aside.resize(sizes.len(), 0.0);
-        let position: Vec<f64> = leaving.node.place().iter().zip(&aside).map(|(x, d)| x + d).collect();
+        let position: Vec<f64> = leaving.node.position().iter().zip(&aside).map(|(x, d)| x + d).collect();
         let start = Node::near(&self.corrector(leaving.space), &position, [&aside, &aside], self.width())?;
-        let (value, unknowns) = start.place().split_last()?;
+        let (value, unknowns) = start.position().split_last()?;
         if self.belongs_to(leaving.primary, unknowns, *value) {
             return None;
         }

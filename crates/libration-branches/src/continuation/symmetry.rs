@@ -71,8 +71,9 @@ fn mirrors(coordinates: usize) -> impl Iterator<Item = Vec<f64>> {
         let from_the_last = coordinates - 1 - number;
         from_the_last < MOST && pattern >> from_the_last & 1 == 1
     };
-    let mirror =
-        move |pattern: usize| (0..coordinates).map(|it| if kept(it, pattern) { 1.0 } else { -1.0 }).collect();
+    let mirror = move |pattern: usize| {
+        (0..coordinates).map(|number| if kept(number, pattern) { 1.0 } else { -1.0 }).collect()
+    };
     let is_identity = move |mirror: &Vec<f64>| mirror.iter().all(|sign| *sign > 0.0);
     (0..1 << coordinates.min(MOST)).map(mirror).filter(move |mirror| !is_identity(mirror))
 }
@@ -91,7 +92,8 @@ impl Trial<'_> {
     fn scales(&self) -> impl Iterator<Item = f64> + use<> {
         let kink = |operation: &Operation| matches!(operation, Operation::Abs(_) | Operation::Sign(_));
         let operations = self.rates.operations().iter().enumerate();
-        let has_kinks = operations.into_iter().any(|(slot, it)| kink(it) && !self.rates.is_constant(slot));
+        let has_kinks =
+            operations.into_iter().any(|(slot, operation)| kink(operation) && !self.rates.is_constant(slot));
         let [least, most] = if has_kinks { SCALES } else { [0, 0] };
         let other = Some(self.scale).filter(|scale| scale.total_cmp(&1.0).is_ne());
         (least..=most).step_by(2).map(|power| libm::ldexp(1.0, power)).chain(other)
@@ -146,7 +148,7 @@ impl Trial<'_> {
     ) -> Option<(Vec<f64>, f64)> {
         let inputs: Vec<f64> = state.chain([time]).chain(parameters.iter().copied()).collect();
         let jet = Jet::new(&Doubles, self.rates, &inputs).ok()?;
-        let largest = jet.values().map(|it| it.abs()).fold(0.0, f64::max);
+        let largest = jet.values().map(|value| value.abs()).fold(0.0, f64::max);
         let values: Vec<f64> = (0..self.layout.coordinates()).map(|result| jet.result(result)[0]).collect();
         (largest.is_finite() && values.iter().all(|value| value.is_finite())).then_some((values, largest))
     }

@@ -26,10 +26,11 @@ impl Turns {
         /// A mean of half a turn stays, also with a rounding error: -π and π become the same.
         const ASIDE: f64 = 1e-9;
         for group in &self.0 {
-            let (sum, number) =
-                group.iter().fold((0.0, 0.0), |(sum, number), it| (sum + mean(*it), number + 1.0));
+            let (sum, number) = group
+                .iter()
+                .fold((0.0, 0.0), |(sum, number), coordinate| (sum + mean(*coordinate), number + 1.0));
             let turns = TAU * libm::rint(sum / number / TAU - ASIDE);
-            group.iter().for_each(|it| coordinates[*it] -= turns);
+            group.iter().for_each(|coordinate| coordinates[*coordinate] -= turns);
         }
     }
 

@@ -36,8 +36,8 @@ impl Family<'_> {
 
     /// The sizes of the unknowns where no motion is known yet: the scale of the family, the corresponding velocity, and the period if it is
     /// unknown; followed by that of the parameter.
-    pub(super) fn first_units(&self, place: &[f64], width: f64) -> Vec<f64> {
-        let (unknowns, parameter) = place.split_at(place.len() - 1);
+    pub(super) fn first_units(&self, position: &[f64], width: f64) -> Vec<f64> {
+        let (unknowns, parameter) = position.split_at(position.len() - 1);
         let period = unknowns.get(self.layout.numbers()).copied();
         let beat = self.drive_period(parameter).or(period).unwrap_or(TAU);
         self.sizes_in(beat).into_iter().chain(period).chain([width]).collect()

@@ -69,8 +69,8 @@ impl Melnikov {
         Ok([on(1.0)?, on(-1.0)?])
     }
 
-    fn new(pendulum: &PerturbedPendulum, direction: f64, found: Vec<(Complex, f64)>) -> Self {
-        let mut coefficients = found.into_iter();
+    fn new(pendulum: &PerturbedPendulum, direction: f64, mean_and_harmonics: Vec<(Complex, f64)>) -> Self {
+        let mut coefficients = mean_and_harmonics.into_iter();
         let (mean, mean_error) = coefficients.next().unwrap_or_default();
         // e^{−ikΩt} has the conjugate coefficient.
         let mut harmonics: Vec<(Complex, f64)> =

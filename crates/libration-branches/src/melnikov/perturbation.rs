@@ -120,12 +120,12 @@ impl PerturbedPendulum {
         (coefficients, left)
     }
 
-    fn add_rest(&self, tape: &Tape, [angle, velocity]: [f64; 2], found: &mut [Complex]) -> f64 {
+    fn add_rest(&self, tape: &Tape, [angle, velocity]: [f64; 2], coefficients: &mut [Complex]) -> f64 {
         let at = |time: f64| {
             Jet::new(&Doubles, tape, &[angle, velocity, time]).map_or(f64::NAN, |jet| jet.result(0)[0])
         };
         if !self.rest_depends_on_time {
-            found[0] = found[0] + at(0.0).into();
+            coefficients[0] = coefficients[0] + at(0.0).into();
             return 0.0;
         }
         let phase = |j: u32| f64::from(j) / f64::from(PHASES);
@@ -134,7 +134,7 @@ impl PerturbedPendulum {
             let turn = |j: u32| Complex::unit(-TAU * phase(j * k % PHASES));
             (0..PHASES).zip(&values).map(|(j, value)| turn(j).scaled(value / f64::from(PHASES))).sum()
         };
-        for (k, amplitude) in (0..).zip(found.iter_mut()).take(HARMONICS + 1) {
+        for (k, amplitude) in (0..).zip(coefficients.iter_mut()).take(HARMONICS + 1) {
             *amplitude = *amplitude + coefficient(k);
         }
         let above = u32::try_from(HARMONICS).unwrap_or(u32::MAX) + 1..=PHASES / 2;
@@ -161,31 +161,31 @@ fn separated(acceleration: &Expression, names: &Names) -> (Trigonometric, Vec<Ex
 fn collect_terms(
     formula: &Expression,
     within: &dyn Fn(Expression) -> Expression,
-    found: &mut Vec<Expression>,
+    terms: &mut Vec<Expression>,
 ) {
     let is_constant = |part: &Expression| part.symbols().is_empty();
     match formula {
         Expression::Add(a, b) => {
-            collect_terms(a, within, found);
-            collect_terms(b, within, found);
+            collect_terms(a, within, terms);
+            collect_terms(b, within, terms);
         }
         Expression::Subtract(a, b) => {
-            collect_terms(a, within, found);
-            collect_terms(b, &|term| within(Expression::Negate(Box::new(term))), found);
+            collect_terms(a, within, terms);
+            collect_terms(b, &|term| within(Expression::Negate(Box::new(term))), terms);
         }
         Expression::Negate(a) => {
-            collect_terms(a, &|term| within(Expression::Negate(Box::new(term))), found);
+            collect_terms(a, &|term| within(Expression::Negate(Box::new(term))), terms);
         }
         Expression::Multiply(a, b) if is_constant(a) => {
-            collect_terms(b, &|term| within(Expression::Multiply(a.clone(), Box::new(term))), found);
+            collect_terms(b, &|term| within(Expression::Multiply(a.clone(), Box::new(term))), terms);
         }
         Expression::Multiply(a, b) if is_constant(b) => {
-            collect_terms(a, &|term| within(Expression::Multiply(Box::new(term), b.clone())), found);
+            collect_terms(a, &|term| within(Expression::Multiply(Box::new(term), b.clone())), terms);
         }
         Expression::Divide(a, b) if is_constant(b) => {
-            collect_terms(a, &|term| within(Expression::Divide(Box::new(term), b.clone())), found);
+            collect_terms(a, &|term| within(Expression::Divide(Box::new(term), b.clone())), terms);
         }
-        _ => found.push(within(formula.clone())),
+        _ => terms.push(within(formula.clone())),
     }
 }
 

@@ -119,7 +119,7 @@ impl Approach<'_> {
             if change <= 2.0 * f64::EPSILON * value.abs()
                 || (change >= before && before < SMALL * value.abs())
             {
-                return self.found(value, change, &nearest, slope);
+                return self.with_errors(value, change, &nearest, slope);
             }
             last = (value, nearest.separation);
             value = next;
@@ -129,7 +129,7 @@ impl Approach<'_> {
 
     /// The tangency with its errors. The component of a start off the manifold grows with the square of the distance from the saddle, so that
     /// starts at twice the distance change the result by three times its error.
-    fn found(
+    fn with_errors(
         &self,
         value: f64,
         change: f64,

@@ -106,12 +106,12 @@ impl Trigonometric {
     }
 
     /// a·w + b·w̄, where w is this wave of the real θ and t.
-    fn parts(&self, [own, conjugate]: [Complex; 2]) -> Self {
+    fn parts(&self, [factor, conjugate]: [Complex; 2]) -> Self {
         let other = self.terms.iter().map(|(monomial, coefficient)| {
             let monomial = Monomial { harmonic: -monomial.harmonic, ..*monomial };
             (monomial, Complex::new(coefficient.re, -coefficient.im))
         });
-        self.scaled(own).plus(&Self { terms: ordered_map(other) }.scaled(conjugate))
+        self.scaled(factor).plus(&Self { terms: ordered_map(other) }.scaled(conjugate))
     }
 
     /// The sum in harmonics of the frequency nΩ; `None` if it has harmonics of Ω between these.

@@ -88,11 +88,11 @@ impl NormalForm {
         let about = self.rough_period(mode, slowest, &seen)?;
         let interval = about / count(SAMPLES);
         let path = seen(interval, EXCHANGES * SAMPLES)?;
-        let points: Vec<Place> = path.iter().map(|amplitudes| self.place(mode, amplitudes)).collect();
+        let points: Vec<Place> = path.iter().map(|amplitudes| self.orbit_point(mode, amplitudes)).collect();
         let [frequency, error] = winding(&points, interval, &Scale::of(&points));
         let ends = |j: usize| {
             let sizes = path.iter().map(|amplitudes| amplitudes[j].abs());
-            sizes.fold([f64::INFINITY, 0.0], |[least, most], it| [it.min(least), it.max(most)])
+            sizes.fold([f64::INFINITY, 0.0], |[least, most], size| [size.min(least), size.max(most)])
         };
         let period = TAU / frequency;
         Ok(Exchange {
@@ -118,7 +118,7 @@ impl NormalForm {
         let mode = self.exchanging_mode().ok_or(ExchangeError::NoResonance)?;
         let interval = exchange.period / count(SAMPLES);
         let path = self.seen_path(equation, state, interval, EXCHANGES * SAMPLES, &Watch::new(progress))?;
-        let points: Vec<Place> = path.iter().map(|amplitudes| self.place(mode, amplitudes)).collect();
+        let points: Vec<Place> = path.iter().map(|amplitudes| self.orbit_point(mode, amplitudes)).collect();
         let [frequency, error] = winding(&points, interval, &Scale::of(&points));
         let period = TAU / frequency;
         Ok(MeasuredExchange { period, error: error / frequency * period })
@@ -163,7 +163,7 @@ impl NormalForm {
         self.slow_terms.iter().find(|term| !term.is_of_every_system()).map(|term| term.mode)
     }
 
-    fn place(&self, mode: usize, amplitudes: &[Complex]) -> Place {
+    fn orbit_point(&self, mode: usize, amplitudes: &[Complex]) -> Place {
         let (a, rate) = (amplitudes[mode], self.rates(amplitudes)[mode]);
         [a.re * a.re + a.im * a.im, a.re * rate.re + a.im * rate.im]
     }
@@ -180,10 +180,11 @@ impl NormalForm {
         let mut is_steady = true;
         for periods in [LONGEST / 64, LONGEST / 16, LONGEST / 4, LONGEST] {
             let path = seen(interval, periods * PER_PERIOD)?;
-            let points: Vec<Place> = path.iter().map(|amplitudes| self.place(mode, amplitudes)).collect();
+            let points: Vec<Place> =
+                path.iter().map(|amplitudes| self.orbit_point(mode, amplitudes)).collect();
             is_steady = Scale::of(&points).is_steady();
             let falls = |pair: &(usize, &[Place])| pair.1[0][1] > 0.0 && pair.1[1][1] <= 0.0;
-            let maxima: Vec<usize> = points.windows(2).enumerate().filter(falls).map(|it| it.0).collect();
+            let maxima: Vec<usize> = points.windows(2).enumerate().filter(falls).map(|pair| pair.0).collect();
             if let (Some(first), Some(last), true) = (maxima.first(), maxima.last(), maxima.len() > 2)
                 && !is_steady
             {
@@ -263,8 +264,8 @@ impl Scale {
         self.half_width <= STEADY * self.middle
     }
 
-    fn angle(&self, place: &Place) -> f64 {
-        libm::atan2(-place[1] / self.height, (place[0] - self.middle) / self.half_width)
+    fn angle(&self, point: &Place) -> f64 {
+        libm::atan2(-point[1] / self.height, (point[0] - self.middle) / self.half_width)
     }
 }
 

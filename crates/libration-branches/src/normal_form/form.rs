@@ -213,17 +213,17 @@ struct NumericalExpansion {
 }
 
 impl NumericalExpansion {
-    fn exact(tower: &Tower, found: Expansion<Tower>) -> Self {
+    fn exact(tower: &Tower, expansion: Expansion<Tower>) -> Self {
         let text = |z: &Quadratic<Vec<_>>| Some(complex_text(tower, &z.plain, &z.root));
-        Self::new(found, &|x| tower.number(x), &text)
+        Self::new(expansion, &|x| tower.number(x), &text)
     }
 
-    fn in_digits(found: Expansion<libration_numbers::algebra::Doubles>) -> Self {
-        Self::new(found, &|x| *x, &|_| None)
+    fn in_digits(expansion: Expansion<libration_numbers::algebra::Doubles>) -> Self {
+        Self::new(expansion, &|x| *x, &|_| None)
     }
 
     fn new<N: Ring>(
-        found: Expansion<N>,
+        expansion: Expansion<N>,
         number: &dyn Fn(&N::Element) -> f64,
         text: &dyn Fn(&Quadratic<N::Element>) -> Option<String>,
     ) -> Self {
@@ -234,10 +234,10 @@ impl NumericalExpansion {
         };
         let mut slow = vec![];
         let mut divisors: Vec<Divisor> = vec![];
-        for it in &found.divisors {
-            let (powers, conjugate_powers) = halves(&it.powers);
-            let (mode, divisor) = (it.mode, number(&it.divisor));
-            match found.slow[mode].get(&it.powers) {
+        for term in &expansion.divisors {
+            let (powers, conjugate_powers) = halves(&term.powers);
+            let (mode, divisor) = (term.mode, number(&term.divisor));
+            match expansion.slow[mode].get(&term.powers) {
                 Some(value) => slow.push(SlowTerm {
                     mode,
                     powers,
@@ -255,7 +255,7 @@ impl NumericalExpansion {
         let in_digits = |polynomial: &Polynomial<Quadratic<N::Element>>| {
             polynomial.iter().map(|(powers, value)| (powers.clone(), complex(value))).collect()
         };
-        Self { slow, divisors, transform: found.transform.iter().map(in_digits).collect() }
+        Self { slow, divisors, transform: expansion.transform.iter().map(in_digits).collect() }
     }
 }
 

@@ -47,7 +47,11 @@ impl NormalForm {
         }
         let variables: Vec<String> = modes().flat_map(|(j, _)| [format!("u{j}"), format!("w{j}")]).collect();
         let orders = vec![Order::First; variables.len()];
-        Equation::of_derivatives(variables, orders, terms.as_flattened().iter().map(|it| sum(it)).collect())
+        Equation::of_derivatives(
+            variables,
+            orders,
+            terms.as_flattened().iter().map(|parts| sum(parts)).collect(),
+        )
     }
 }
 

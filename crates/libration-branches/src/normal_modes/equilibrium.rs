@@ -55,8 +55,8 @@ pub(super) fn equilibrium(equation: &Equation, guess: &[f64]) -> Result<Equilibr
 /// An acceleration at zero velocities.
 fn at_rest(formula: &Expression, equation: &Equation) -> Expression {
     let velocities = equation.variables().iter().map(|name| Symbol::plain(name).with_primes(1));
-    let still =
-        velocities.fold(formula.clone(), |it, velocity| it.substitute(&velocity, &Expression::from(0)));
+    let still = velocities
+        .fold(formula.clone(), |partial, velocity| partial.substitute(&velocity, &Expression::from(0)));
     still.simplified()
 }
 
@@ -66,7 +66,7 @@ fn proved(formulas: &[Expression], names: &[Symbol], at: &[f64], part: f64) -> O
     let fraction = |x: &f64| if x.abs() <= part * largest { Some(0.into()) } else { simplest(*x, x.abs()) };
     let fractions: Vec<Rational> = at.iter().map(fraction).collect::<Option<_>>()?;
     let vanishes = |formula: &Expression| {
-        substituted(formula, names, &fractions).to_rational().is_some_and(|it| it.is_zero())
+        substituted(formula, names, &fractions).to_rational().is_some_and(|value| value.is_zero())
     };
     formulas.iter().all(vanishes).then_some(fractions)
 }
@@ -74,7 +74,9 @@ fn proved(formulas: &[Expression], names: &[Symbol], at: &[f64], part: f64) -> O
 /// The formula after substitution of fractions for symbols.
 pub(super) fn substituted(formula: &Expression, names: &[Symbol], values: &[Rational]) -> Expression {
     let pairs = names.iter().zip(values);
-    pairs.fold(formula.clone(), |it, (name, value)| it.substitute(name, &Expression::Number(value.clone())))
+    pairs.fold(formula.clone(), |partial, (name, value)| {
+        partial.substitute(name, &Expression::Number(value.clone()))
+    })
 }
 
 /// The fraction with the smallest denominator within 1e-12 of a size from a number.

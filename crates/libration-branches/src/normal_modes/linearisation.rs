@@ -118,10 +118,10 @@ fn values<R: Ring>(ring: &R, tape: &Tape, at: &[R::Element]) -> Option<Vec<R::El
 fn in_fractions(
     slopes: &[Vec<Expression>],
     symbols: &[Symbol],
-    place: &[Rational],
+    rest: &[Rational],
 ) -> Option<Vec<Vec<Rational>>> {
-    let zeros = place.iter().map(|_| Rational::from(0));
-    let values: Vec<Rational> = place.iter().cloned().chain(zeros).collect();
+    let zeros = rest.iter().map(|_| Rational::from(0));
+    let values: Vec<Rational> = rest.iter().cloned().chain(zeros).collect();
     let value = |formula: &Expression| substituted(formula, symbols, &values).to_rational();
     slopes.iter().map(|row| row.iter().map(value).collect()).collect()
 }

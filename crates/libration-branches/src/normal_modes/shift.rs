@@ -40,7 +40,7 @@ pub(super) fn shift(
 fn resonant(modes: &[Mode], number: usize) -> Vec<usize> {
     let exact =
         modes[number].resonances.iter().filter(|resonance| resonance.exact && resonance.other_is_faster);
-    let multiples = exact.filter_map(|it| usize::try_from(it.multiple).ok());
+    let multiples = exact.filter_map(|resonance| usize::try_from(resonance.multiple).ok());
     let free = modes.iter().any(|mode| mode.behaviour == Behaviour::Free);
     multiples.chain(free.then_some(0)).collect()
 }

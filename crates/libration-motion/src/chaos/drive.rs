@@ -47,7 +47,7 @@ pub fn drive_period(equation: &Equation) -> Option<f64> {
 #[must_use]
 pub fn drive_frequency(equation: &Equation) -> Option<(Expression, i32)> {
     let WrittenDrive { frequency, times, repetitions } = WrittenDrive::of(equation)?;
-    let shared = (1..=times).rev().find(|it| times % it == 0 && repetitions % it == 0)?;
+    let shared = (1..=times).rev().find(|divisor| times % divisor == 0 && repetitions % divisor == 0)?;
     let factor = repetitions / shared;
     let frequency = match factor {
         1 => frequency,
@@ -103,7 +103,7 @@ fn collect_frequencies(
     formula: &Expression,
     time: &Symbol,
     is_constant: &impl Fn(&Expression) -> bool,
-    found: &mut Vec<Expression>,
+    frequencies: &mut Vec<Expression>,
 ) -> bool {
     if !formula.contains(time) {
         return true;
@@ -111,12 +111,12 @@ fn collect_frequencies(
     if let Expression::Call(Function::Sin | Function::Cos, argument) = formula {
         let slope = argument.derivative(time);
         if is_constant(&slope) {
-            found.push(slope);
+            frequencies.push(slope);
             return true;
         }
     }
     let mut inner = formula.parts().peekable();
-    inner.peek().is_some() && inner.all(|part| collect_frequencies(part, time, is_constant, found))
+    inner.peek().is_some() && inner.all(|part| collect_frequencies(part, time, is_constant, frequencies))
 }
 
 /// The quotient of two frequencies; with symbols it must be the same for all their values.
@@ -131,7 +131,7 @@ fn ratio(a: &Expression, b: &Expression) -> Option<Rational> {
             let filled = letters
                 .iter()
                 .zip(values)
-                .fold(formula.clone(), |it, (letter, value)| it.substitute(letter, &value));
+                .fold(formula.clone(), |partial, (letter, value)| partial.substitute(letter, &value));
             filled.simplified().to_rational()
         };
         put_in(a)?.checked_div(&put_in(b)?)

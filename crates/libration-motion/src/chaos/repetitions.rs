@@ -57,7 +57,7 @@ impl RationalTrials {
             equation.derivatives().iter().map(|derivative| rational(derivative, false, &mut rest)).collect();
         let formulas: Vec<&Expression> = [frequency].into_iter().chain(&rates).collect();
         let time = Symbol::plain(TIME);
-        let others = formulas.iter().flat_map(|formula| formula.symbols()).filter(|it| *it != time);
+        let others = formulas.iter().flat_map(|formula| formula.symbols()).filter(|symbol| *symbol != time);
         let mut inputs: Vec<Symbol> = others.collect();
         inputs.sort();
         inputs.dedup();
@@ -79,13 +79,13 @@ impl RationalTrials {
     fn holds(
         &self,
         ring: Floats,
-        place: u32,
+        number: u32,
         shift: impl Fn(Floats, &BigFloat) -> Option<BigFloat>,
     ) -> Option<bool> {
         let bits = ring.precision;
         let same = isize::try_from(bits).ok()? - ROUNDING;
         let drawn = |k: usize| {
-            let part = (f64::from(place + 1) * GOLDEN + f64::from(u32::try_from(k).ok()?).sqrt()).fract();
+            let part = (f64::from(number + 1) * GOLDEN + f64::from(u32::try_from(k).ok()?).sqrt()).fract();
             BigFloat::from_f64(0.25 + part, bits)
         };
         let mut inputs: Vec<BigFloat> = (2..self.symbols + 2).map(drawn).collect::<Option<_>>()?;
@@ -136,7 +136,7 @@ fn rational(formula: &Expression, inside: bool, rest: &mut Vec<Expression>) -> E
         Expression::Power(base, exponent) => {
             let base = rational(base, inside, rest);
             match exponent.to_rational().filter(Rational::is_integer) {
-                Some(number) if [2, 3, 4].iter().any(|it| number == Rational::from(*it)) => {
+                Some(number) if [2, 3, 4].iter().any(|integer| number == Rational::from(*integer)) => {
                     Expression::Power(Box::new(base), exponent.clone())
                 }
                 Some(number) => polynomial(&base, if is_even(&number) { [2, 4] } else { [1, 3] }),
@@ -153,7 +153,7 @@ fn is_even(number: &Rational) -> bool {
 
 /// The symbol for a part without the time.
 fn independent(part: &Expression, rest: &mut Vec<Expression>) -> Expression {
-    let number = rest.iter().position(|it| it == part).unwrap_or_else(|| {
+    let number = rest.iter().position(|other| other == part).unwrap_or_else(|| {
         rest.push(part.clone());
         rest.len() - 1
     });

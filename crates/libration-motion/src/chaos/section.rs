@@ -241,8 +241,8 @@ fn crossings(
 }
 
 /// The ending if the surface is not crossed again.
-const fn no_more(found: &[Moment]) -> SectionEnding {
-    if found.is_empty() { SectionEnding::NeverCrossed } else { SectionEnding::NoCrossing }
+const fn no_more(crossings: &[Moment]) -> SectionEnding {
+    if crossings.is_empty() { SectionEnding::NeverCrossed } else { SectionEnding::NoCrossing }
 }
 
 /// The largest duration of the first stretch, the factor from one stretch to the next, and a time that only a motion at rest reaches. A

@@ -46,7 +46,8 @@ pub fn turning_groups(equation: &Equation) -> Vec<Vec<usize>> {
     candidates.retain(|candidate| candidate.len() > 1);
     candidates.sort_by_key(Vec::len);
     for candidate in candidates {
-        let is_free = candidate.iter().all(|it| groups.iter().all(|group| !group.contains(it)));
+        let is_free =
+            candidate.iter().all(|coordinate| groups.iter().all(|group| !group.contains(coordinate)));
         if is_free && turn_together(equation, &candidate) {
             groups.push(candidate);
         }
@@ -56,7 +57,8 @@ pub fn turning_groups(equation: &Equation) -> Vec<Vec<usize>> {
 
 fn subsets(of: &[usize]) -> Vec<Vec<usize>> {
     of.iter().fold(vec![vec![]], |subsets, new| {
-        let with_new = subsets.iter().map(|it: &Vec<usize>| it.iter().chain([new]).copied().collect());
+        let with_new =
+            subsets.iter().map(|subset: &Vec<usize>| subset.iter().chain([new]).copied().collect());
         subsets.iter().cloned().chain(with_new).collect()
     })
 }

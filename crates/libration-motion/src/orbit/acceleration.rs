@@ -68,15 +68,16 @@ impl Acceleration {
         let some = states.iter().step_by(apart);
         let errors: Vec<f64> =
             some.map(|state| self.error(state).unwrap_or_else(|| self.noise(state))).collect();
-        let [largest, error] = [&accelerations, &errors].map(|it| it.iter().copied().fold(0.0, f64::max));
+        let [largest, error] =
+            [&accelerations, &errors].map(|numbers| numbers.iter().copied().fold(0.0, f64::max));
         let number = states.len();
         let of_step = |i: usize| {
             // The step that ends at this state begins at the previous one, the first at the last.
             let before = (i + number - 1) % number;
             let way = (states[i][0] - states[before][0]).abs();
             let round = f64::EPSILON * accelerations[i].max(accelerations[before]);
-            let measured =
-                [i, before].map(|it| errors[it / apart].max(errors[(it / apart + 1) % errors.len()]));
+            let measured = [i, before]
+                .map(|index| errors[index / apart].max(errors[(index / apart + 1) % errors.len()]));
             way * round.max(measured[0]).max(measured[1])
         };
         let of_place = |i: usize| f64::EPSILON * (states[i][0] * accelerations[i]).abs();

@@ -78,7 +78,7 @@ impl<'w> Rounds<'w> {
         let end = path.state_at(duration);
         let Variations { by_start: monodromy, rates: [_, rate], .. } =
             self.variations(state, [0.0, duration])?;
-        if rate.iter().any(|it| it.is_nan()) {
+        if rate.iter().any(|component| component.is_nan()) {
             return Err(OrbitError::Start { state: end, wanted: self.layout().numbers() });
         }
         let defect = end.iter().zip(state).map(|(end, start)| end - start).collect();

@@ -133,7 +133,7 @@ fn cycle_at_return(
         return Ok((OrbitKind::Family, orbit));
     }
     let orbit = drifted(equation, rounds, coordinate, &guess)?;
-    let is_unstable = orbit.floquet().is_some_and(|it| it.stability == Stability::Unstable);
+    let is_unstable = orbit.floquet().is_some_and(|floquet| floquet.stability == Stability::Unstable);
     Ok((if is_unstable { OrbitKind::Passed } else { OrbitKind::LimitCycle }, orbit))
 }
 
@@ -177,7 +177,9 @@ fn at_maximum(
     }
     let turn = OrbitGuess { period: 0.5 * guess.period, ..guess.clone() };
     match closed(equation, rounds, &turn, &unknowns) {
-        Ok(orbit) if orbit.floquet().map(|it| it.stability) == Some(Stability::Attracting) => Ok(orbit),
+        Ok(orbit) if orbit.floquet().map(|floquet| floquet.stability) == Some(Stability::Attracting) => {
+            Ok(orbit)
+        }
         Err(error @ OrbitError::Interrupted(_)) => Err(error),
         _ => outcome,
     }
@@ -193,7 +195,7 @@ fn settled(
     let coordinates = 0..system.layout().coordinates();
     let mut outcome = Err(OrbitError::NoCycle(Lost::Rest));
     for (at_once, coordinate) in
-        [false, true].into_iter().flat_map(|it| coordinates.clone().map(move |n| (it, n)))
+        [false, true].into_iter().flat_map(|at_once| coordinates.clone().map(move |n| (at_once, n)))
     {
         if !matches!(outcome, Err(OrbitError::NoCycle(Lost::Rest))) {
             break;
@@ -246,7 +248,8 @@ fn repels(rounds: &Rounds<'_>, maxima: &Maxima) -> bool {
     // The end of a step of a motion that has stopped may be at any time.
     let variations = rounds.variations(&maxima.state, [0.0, PART * maxima.moved_until]);
     let units = vec![1.0; maxima.state.len()];
-    let floquet = variations.ok().and_then(|it| Floquet::new(&it.by_start, &units, CHANGE, false));
+    let floquet =
+        variations.ok().and_then(|variations| Floquet::new(&variations.by_start, &units, CHANGE, false));
     floquet.is_some_and(|floquet| floquet.stability == Stability::Unstable)
 }
 
@@ -256,7 +259,7 @@ fn lost(error: Option<IntegrationError>, maxima: &Maxima) -> OrbitError {
         Some(IntegrationError::Stopped { cause: Cause::Interrupted | Cause::StepLimit, .. }) => {
             match (maxima.vanish() || maxima.is_still(), steps < MOST_STEPS) {
                 (true, _) => Lost::Rest,
-                (false, true) => Lost::Irregular(maxima.found.last().map_or(0.0, |moment| moment.time)),
+                (false, true) => Lost::Irregular(maxima.moments.last().map_or(0.0, |moment| moment.time)),
                 (false, false) => Lost::Slow { time, steps },
             }
         }
@@ -278,7 +281,7 @@ struct Maxima {
     velocity: Option<usize>,
     /// Difference from an earlier state, relative to the swing, below which the motion has returned.
     returned: f64,
-    found: Vec<Moment>,
+    moments: Vec<Moment>,
     /// Steps since the last maximum.
     steps: usize,
     /// Largest change of each state component since the last maximum.
@@ -308,7 +311,7 @@ impl Maxima {
             coordinate,
             velocity: layout.velocity(coordinate),
             returned,
-            found: vec![],
+            moments: vec![],
             steps: 0,
             moved: none.clone(),
             swing: none.clone(),
@@ -348,10 +351,10 @@ impl Maxima {
             state[velocity] = 0.0;
         }
         self.swing = std::mem::replace(&mut self.moved, vec![0.0; state.len()]);
-        let recent = self.found.iter().rev().take(LONGEST);
+        let recent = self.moments.iter().rev().take(LONGEST);
         let earlier = recent.clone().find(|earlier| self.is_return(&state, &earlier.state));
         let guess = earlier.map(|earlier| OrbitGuess { state: state.clone(), period: time - earlier.time });
-        self.found.push(Moment { time, state });
+        self.moments.push(Moment { time, state });
         self.steps = 0;
         guess
     }
@@ -359,7 +362,7 @@ impl Maxima {
     fn widen(&mut self, state: &[f64]) {
         let coordinate = state[self.coordinate];
         self.range = (self.range.0.min(coordinate), self.range.1.max(coordinate));
-        let Some(last) = self.found.last() else { return };
+        let Some(last) = self.moments.last() else { return };
         for ((moved, now), then) in self.moved.iter_mut().zip(state).zip(&last.state) {
             *moved = moved.max((now - then).abs());
         }
@@ -372,7 +375,7 @@ impl Maxima {
 
     /// Returns `true` if the search has reached its limit of maxima, or of steps since the last one.
     fn are_enough(&self) -> bool {
-        self.found.len() >= MOST_MAXIMA || self.steps >= MOST_STEPS
+        self.moments.len() >= MOST_MAXIMA || self.steps >= MOST_STEPS
     }
 
     /// Returns `true` if the motion has faded at the ends of several steps, one of which may be a turning point.
@@ -395,6 +398,6 @@ impl Maxima {
 
     /// Returns `true` if the last swing is negligible compared with the whole range.
     fn vanish(&self) -> bool {
-        self.found.len() > 1 && self.swing[self.coordinate] < VANISHED * (self.range.1 - self.range.0)
+        self.moments.len() > 1 && self.swing[self.coordinate] < VANISHED * (self.range.1 - self.range.0)
     }
 }

@@ -33,7 +33,7 @@ mod divergence;
 #[doc(hidden)]
 pub(crate) mod acceleration;
 #[doc(hidden)]
-pub(crate) mod place;
+pub(crate) mod release_place;
 #[doc(hidden)]
 pub(crate) mod precise;
 #[doc(hidden)]

@@ -26,12 +26,12 @@ impl Newton<'_> {
             let variations = self.rounds.variations(state, times).ok()?;
             let mut by_further = vec![];
             if is_own {
-                let rates = variations.rates.each_ref().map(|it| &it[..]);
+                let rates = variations.rates.each_ref().map(|rate| &rate[..]);
                 by_further.push(Piece::by_duration(&variations.by_start, rates, parts));
             }
             Some(Piece { end: variations.end, by_start: variations.by_start, by_further })
         };
         let state_at = |part: f64| Some(self.round.path.state_at(part * self.at.period));
-        Checked { frame, place: &unknowns, errors: &errors, growth }.closes(state_at, piece)
+        Checked { frame, position: &unknowns, errors: &errors, growth }.closes(state_at, piece)
     }
 }

@@ -74,9 +74,9 @@ impl<'a> Motion<'a> {
     }
 
     /// The motion after release from rest at a position; `start` is the time from which its steps count.
-    pub fn half_period(&self, place: &BigFloat, start: f64) -> Result<HalfPeriod, HalfPeriodError> {
-        let size = place.exponent().unwrap_or(0);
-        let mut state = PreciseState { x: place.clone(), velocity: self.ring.zero() };
+    pub fn half_period(&self, position: &BigFloat, start: f64) -> Result<HalfPeriod, HalfPeriodError> {
+        let size = position.exponent().unwrap_or(0);
+        let mut state = PreciseState { x: position.clone(), velocity: self.ring.zero() };
         let (mut steps, mut duration) = (vec![], self.ring.zero());
         let mut nearness = Nearness::default();
         for _ in 0..MOST_STEPS {
@@ -213,9 +213,9 @@ fn limit(precision: usize) -> isize {
 }
 
 /// Returns `true` if a position is so far from the first one that a motion does not return from there after passing an equilibrium slowly.
-fn is_far(place: &BigFloat, size: isize) -> bool {
+fn is_far(position: &BigFloat, size: isize) -> bool {
     const FAR: isize = 40;
-    place.exponent().is_some_and(|exponent| exponent > size.max(0) + FAR)
+    position.exponent().is_some_and(|exponent| exponent > size.max(0) + FAR)
 }
 
 /// The coefficients in powers of the fraction of a step, which neither overflow nor underflow.

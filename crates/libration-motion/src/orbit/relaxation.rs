@@ -57,7 +57,7 @@ pub(super) fn forgetful(
     let uncertainty = 4.0 * ((period - other).abs() + late + f64::EPSILON * period);
     // The start is the end of a previous turn, and does not depend on where that began.
     let start_errors = vec![4.0 * (missed + f64::EPSILON * start.state[0].abs()), 0.0];
-    let apart: Vec<f64> = apart.iter().map(|it| 4.0 * it).collect();
+    let apart: Vec<f64> = apart.iter().map(|distance| 4.0 * distance).collect();
     let grown = start_errors.clone();
     let errors = OrbitErrors::new(&path, start_errors, &grown, &apart, uncertainty);
     // The error of the integral over many steps is proportional to its size.

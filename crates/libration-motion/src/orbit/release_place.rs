@@ -16,8 +16,8 @@ impl ReleasePlace {
     }
 
     /// Exactly this `f64`; `None` if it is not finite.
-    pub(crate) fn from_f64(place: f64) -> Option<Self> {
-        let displacement = Displacement::from_f64(place)?;
+    pub(crate) fn from_f64(position: f64) -> Option<Self> {
+        let displacement = Displacement::from_f64(position)?;
         Some(Self { origin: BigFloat::from_integer(0, 1), displacement })
     }
 

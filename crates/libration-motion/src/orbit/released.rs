@@ -17,8 +17,8 @@ use super::acceleration::{Acceleration, Roundings};
 use super::error::{Lost, OrbitError, finished};
 use super::path::{Path, sign_change, until};
 use super::periodic::{Orbit, OrbitErrors};
-use super::place::ReleasePlace;
 use super::precise::{HalfPeriod, HalfPeriodError, Motion};
+use super::release_place::ReleasePlace;
 use crate::taylor::{Cause, Effort, IntegrationError, Moment, Step, System};
 use libration_numbers::algebra::BigFloat;
 use libration_numbers::expression::Equation;
@@ -66,23 +66,23 @@ impl Orbit {
     /// assert!((orbit.period() - 7.416298709205487 / 2.0).abs() < 1e-14);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn released(equation: &Equation, place: f64, progress: &dyn Progress) -> Result<Self, OrbitError> {
-        let refusal = || OrbitError::Start { state: vec![place], wanted: 1 };
+    pub fn released(equation: &Equation, position: f64, progress: &dyn Progress) -> Result<Self, OrbitError> {
+        let refusal = || OrbitError::Start { state: vec![position], wanted: 1 };
         Release::check(equation)?;
-        Self::released_from(equation, &ReleasePlace::from_f64(place).ok_or_else(refusal)?, 0.0, progress)
+        Self::released_from(equation, &ReleasePlace::from_f64(position).ok_or_else(refusal)?, 0.0, progress)
     }
 
     /// The orbit released from a position that is known to more digits than an `f64` has. Double precision suffices where it gives the period
     /// to a relative tolerance, or to 2⁻⁴⁵ if that is more.
     pub fn released_from(
         equation: &Equation,
-        place: &ReleasePlace,
+        position: &ReleasePlace,
         tolerance: f64,
         progress: &dyn Progress,
     ) -> Result<Self, OrbitError> {
         let watch = &Watch::new(progress);
         Release::check(equation)?;
-        finished(Release::new(equation, place, watch)?.orbit(tolerance.max(TRUSTED)), watch)
+        finished(Release::new(equation, position, watch)?.orbit(tolerance.max(TRUSTED)), watch)
     }
 }
 
@@ -91,7 +91,7 @@ struct Release<'a> {
     equation: &'a Equation,
     system: System,
     acceleration: Acceleration,
-    place: &'a ReleasePlace,
+    position: &'a ReleasePlace,
     start: f64,
     watch: &'a Watch<'a>,
 }
@@ -113,11 +113,11 @@ impl<'a> Release<'a> {
 
     fn new(
         equation: &'a Equation,
-        place: &'a ReleasePlace,
+        position: &'a ReleasePlace,
         watch: &'a Watch<'a>,
     ) -> Result<Self, OrbitError> {
         let (system, acceleration) = (System::new(equation)?, Acceleration::new(equation)?);
-        Ok(Self { equation, system, acceleration, place, start: place.to_f64(), watch })
+        Ok(Self { equation, system, acceleration, position, start: position.to_f64(), watch })
     }
 
     fn orbit(&self, tolerance: f64) -> Result<Orbit, OrbitError> {
@@ -159,12 +159,12 @@ impl<'a> Release<'a> {
         let moved = energy / first / swing;
         let condition = self.condition(&around.full, swing.copysign(other_side - self.start), first);
         let uncertainty = 16.0 * spread + 4.0 * (2.0 * rounding + condition * moved) * period;
-        let [end, other_end] = [&around, &again].map(|it| it.full.state_at(it.full.end_time())[0]);
+        let [end, other_end] = [&around, &again].map(|turn| turn.full.state_at(turn.full.end_time())[0]);
         let flow = (end - other_end).abs() + f64::EPSILON * self.start.abs().max(other_side.abs());
         if !self.acceleration.is_reversible && (end - self.start).abs() > CLOSED * flow {
             return Err(OrbitError::NotClosed { start: self.start, end });
         }
-        let apart: Vec<f64> = around.full.apart(&again.full).iter().map(|it| 16.0 * it).collect();
+        let apart: Vec<f64> = around.full.apart(&again.full).iter().map(|distance| 16.0 * distance).collect();
         let errors = OrbitErrors::new(&around.full, vec![0.0; 2], &[0.0; 2], &apart, uncertainty);
         Ok(Orbit::new(self.equation, around.full, uncertainty, None, errors))
     }
@@ -223,7 +223,7 @@ impl<'a> Release<'a> {
             let spread = before.map(|before| (before - period.clone()).to_f64().abs());
             if let Some(spread) = spread.filter(|spread| *spread <= AGREED * period.to_f64()) {
                 let uncertainty = IMPROVED * spread + f64::EPSILON * period.to_f64();
-                return halves.closed(self.place.to_f64(), self.equation, uncertainty);
+                return halves.closed(self.position.to_f64(), self.equation, uncertainty);
             }
             before = Some(period);
         }
@@ -232,7 +232,7 @@ impl<'a> Release<'a> {
 
     fn precise_halves(&self, precision: usize) -> Result<Halves, HalfPeriodError> {
         let motion = Motion::new(&self.system, &self.acceleration.tape, precision, self.watch);
-        let there = motion.half_period(&self.place.to_bits(precision), 0.0)?;
+        let there = motion.half_period(&self.position.to_bits(precision), 0.0)?;
         let back = match self.acceleration.is_free_of_velocity {
             true => None,
             false => Some(motion.half_period(&there.end, there.duration.to_f64())?),
@@ -240,29 +240,29 @@ impl<'a> Release<'a> {
         Ok(Halves { there, back })
     }
 
-    fn once_around(&self, place: f64, tolerance: f64) -> Result<Around, OrbitError> {
-        let start = Moment { time: 0.0, state: vec![place, 0.0] };
+    fn once_around(&self, position: f64, tolerance: f64) -> Result<Around, OrbitError> {
+        let start = Moment { time: 0.0, state: vec![position, 0.0] };
         let effort = Effort { most_steps: MOST_STEPS, ..Effort::to_tolerance(tolerance) };
-        let there = self.to_rest(&start, place, &effort)?;
+        let there = self.to_rest(&start, position, &effort)?;
         let half = there.end_time();
         let other_side = Moment { time: half, state: vec![there.state_at(half)[0], 0.0] };
-        let full = there.followed_by(self.to_rest(&other_side, place, &effort)?);
+        let full = there.followed_by(self.to_rest(&other_side, position, &effort)?);
         let end = full.state_at(full.end_time())[0];
-        let (swing, back) = ((place - other_side.state[0]).abs(), (end - other_side.state[0]).abs());
+        let (swing, back) = ((position - other_side.state[0]).abs(), (end - other_side.state[0]).abs());
         if back < NEARLY_CLOSED * swing {
-            return Err(OrbitError::NoReturn { start: place, why: Lost::Rest });
+            return Err(OrbitError::NoReturn { start: position, why: Lost::Rest });
         }
-        if (end - place).abs() > NEARLY_CLOSED * swing {
+        if (end - position).abs() > NEARLY_CLOSED * swing {
             return Err(match self.acceleration.is_free_of_velocity {
-                true => OrbitError::Separatrix(place),
-                false => OrbitError::NotClosed { start: place, end },
+                true => OrbitError::Separatrix(position),
+                false => OrbitError::NotClosed { start: position, end },
             });
         }
         Ok(Around { full, half })
     }
 
     /// Integrates the motion from rest to the next rest.
-    fn to_rest(&self, start: &Moment, place: f64, effort: &Effort) -> Result<Path, OrbitError> {
+    fn to_rest(&self, start: &Moment, position: f64, effort: &Effort) -> Result<Path, OrbitError> {
         /// Distance beyond which a motion that has not turned never does: any noticeable
         /// force turns a motion within the square root of the largest number.
         const FAR: f64 = 1e100;
@@ -272,8 +272,8 @@ impl<'a> Release<'a> {
         }
         if !first.is_finite() {
             return Err(match self.acceleration.is_too_large(&start.state) {
-                true => OrbitError::TooLarge(place),
-                false => OrbitError::NoValue(place),
+                true => OrbitError::TooLarge(position),
+                false => OrbitError::NoValue(position),
             });
         }
         let happens = |step: &Step<'_>| sign_change(step, 1);
@@ -281,7 +281,7 @@ impl<'a> Release<'a> {
         let size = libm::fmax(start.state[0].abs(), f64::MIN_POSITIVE);
         let horizon = Self::HORIZON * libm::sqrt(size) / libm::sqrt(first);
         let outcome = until(&self.system, start, [horizon, FAR], effort, self.watch, happens);
-        let lost = |why| OrbitError::NoReturn { start: place, why };
+        let lost = |why| OrbitError::NoReturn { start: position, why };
         match outcome {
             Ok(Some(path)) => Ok(path),
             Ok(None) => Err(lost(Lost::OneWay(FAR))),

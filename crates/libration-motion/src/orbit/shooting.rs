@@ -305,7 +305,7 @@ impl<'a> Newton<'a> {
         }
         let grown: Vec<f64> =
             largest.iter().map(|row| row.iter().zip(&start).map(|(a, b)| a * b).sum()).collect();
-        let apart: Vec<f64> = self.round.path.apart(&again).iter().map(|it| 4.0 * it).collect();
+        let apart: Vec<f64> = self.round.path.apart(&again).iter().map(|distance| 4.0 * distance).collect();
         let errors = OrbitErrors::new(&self.round.path, start, &grown, &apart, uncertainty);
         let autonomous = self.unknowns.period;
         let change =
@@ -328,7 +328,7 @@ impl<'a> Newton<'a> {
         if let Some(growth) = self.lost() {
             return OrbitError::TooUnstable { growth };
         }
-        let defect: Vec<f64> = self.round.defect.iter().map(|it| it.abs()).collect();
+        let defect: Vec<f64> = self.round.defect.iter().map(|component| component.abs()).collect();
         let undetermined = miss(&self.start_errors(&defect), &self.sizes);
         if self.miss < NEARLY_CLOSED && undetermined > UNDETERMINED {
             return OrbitError::Undetermined(undetermined);
@@ -407,8 +407,9 @@ impl<'a> Newton<'a> {
         if !self.unknowns.period {
             return 0.0;
         }
-        let missing =
-            |defect: &[f64]| self.change(defect).and_then(|it| it.last().copied()).map_or(f64::NAN, f64::abs);
+        let missing = |defect: &[f64]| {
+            self.change(defect).and_then(|change| change.last().copied()).map_or(f64::NAN, f64::abs)
+        };
         let rounded =
             self.step().errors(rounding).and_then(|error| error.last().copied()).unwrap_or(f64::NAN);
         let spread = missing(&self.round.defect) + missing(other);

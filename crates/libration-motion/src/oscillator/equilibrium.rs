@@ -87,12 +87,12 @@ fn zero_or_fraction(force: &Force, near: f64, within: f64) -> Option<Constant> {
 }
 
 /// Returns `true` if the force at rest is proved to vanish at a position.
-pub(super) fn vanishes_at(force: &Force, place: &Rational) -> bool {
+pub(super) fn vanishes_at(force: &Force, position: &Rational) -> bool {
     let at_rest = force.at_rest();
     let Some(curve) = Curve::new(&at_rest, &force.x) else { return false };
     // The exact evaluation, which takes longer, is made only if the digits vanish.
-    let digits = curve.precisely_at(&BigFloat::from_rational(place, PRECISION));
-    let value = digits.filter(is_tiny).and_then(|_| curve.constant_at(place));
+    let digits = curve.precisely_at(&BigFloat::from_rational(position, PRECISION));
+    let value = digits.filter(is_tiny).and_then(|_| curve.constant_at(position));
     value.is_some_and(|value| value.exact().is_some_and(Rational::is_zero))
 }
 
@@ -103,12 +103,12 @@ fn is_tiny(number: &BigFloat) -> bool {
 }
 
 /// The zero next to a given constant, at most 5 % away.
-pub(super) fn given(force: &Force, place: &Expression) -> Option<Constant> {
+pub(super) fn given(force: &Force, position: &Expression) -> Option<Constant> {
     const WITHIN: f64 = 0.05;
-    if let Some(exact) = place.to_rational().filter(|exact| vanishes_at(force, exact)) {
+    if let Some(exact) = position.to_rational().filter(|exact| vanishes_at(force, exact)) {
         return Some(Constant::Exact(exact));
     }
-    let near = Curve::new(place, &force.x)?.at(0.0);
+    let near = Curve::new(position, &force.x)?.at(0.0);
     let is_near = |zero: &Constant| near == 0.0 || (zero.to_f64() - near).abs() <= WITHIN * near.abs();
     zero_or_fraction(force, near, WITHIN).filter(is_near)
 }
@@ -203,7 +203,7 @@ fn refuse_losses(force: &Force, at: &Constant) -> Result<(), RejectionReason> {
     if returns(force, at) {
         return Ok(());
     }
-    let damping = value_at(force, &force.damping(), at).filter(|it| it.to_f64() != 0.0);
+    let damping = value_at(force, &force.damping(), at).filter(|value| value.to_f64() != 0.0);
     Err(damping.map_or(RejectionReason::Irreversible, |damping| RejectionReason::Damped {
         damping: damping.to_string(),
     }))

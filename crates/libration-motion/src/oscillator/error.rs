@@ -101,7 +101,8 @@ impl OscillatorError {
             Self::DependsOnTime => vec![Remedy::Simulation],
             Self::ExcitedNonlinear { .. } => vec![Remedy::SlowFlow, Remedy::Simulation],
             Self::NoStableEquilibrium(rejected) => {
-                let mut remedies: Vec<Remedy> = rejected.iter().flat_map(|it| it.reason.remedies()).collect();
+                let mut remedies: Vec<Remedy> =
+                    rejected.iter().flat_map(|rejection| rejection.reason.remedies()).collect();
                 remedies.sort_unstable();
                 remedies.dedup();
                 remedies

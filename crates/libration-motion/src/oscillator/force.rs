@@ -56,14 +56,14 @@ impl Force {
     }
 
     /// Returns `true` if F is proved to be the opposite at the mirror image of a position, with the same velocity.
-    pub(super) fn is_mirrored_about(&self, place: &Rational) -> bool {
-        let other_side = reflected(&self.formula, &self.x, Some(place));
+    pub(super) fn is_mirrored_about(&self, position: &Rational) -> bool {
+        let other_side = reflected(&self.formula, &self.x, Some(position));
         Expression::Add(Box::new(other_side), Box::new(self.formula.clone())).vanishes()
     }
 
     /// Returns `true` if F is proved to be the opposite at the mirror image of a position, with the opposite velocity.
-    pub(super) fn is_odd_about(&self, place: &Rational) -> bool {
-        let other_side = reflected(&self.formula, &self.x, Some(place));
+    pub(super) fn is_odd_about(&self, position: &Rational) -> bool {
+        let other_side = reflected(&self.formula, &self.x, Some(position));
         let other_side = reflected(&other_side, &self.velocity, None);
         Expression::Add(Box::new(other_side), Box::new(self.formula.clone())).vanishes()
     }

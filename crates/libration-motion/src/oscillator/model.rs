@@ -76,14 +76,14 @@ impl Oscillator {
     ///
     /// # Errors
     /// As [`new`](Self::new), or there is no equilibrium at this position.
-    pub fn about(equation: &Equation, place: &Expression) -> Result<Self, OscillatorError> {
+    pub fn about(equation: &Equation, position: &Expression) -> Result<Self, OscillatorError> {
         let force = force(equation)?;
         if let Some(parameter) = open_parameter(equation)? {
             return Err(OscillatorError::WithoutValue { names: vec![parameter] });
         }
-        let refusal = || OscillatorError::NotAnEquilibrium { at: excerpt(&place.to_string()) };
-        refuse_no_place(place)?;
-        let equilibrium = assessed(&force, given(&force, place).ok_or_else(refusal)?);
+        let refusal = || OscillatorError::NotAnEquilibrium { at: excerpt(&position.to_string()) };
+        refuse_no_place(position)?;
+        let equilibrium = assessed(&force, given(&force, position).ok_or_else(refusal)?);
         let equilibrium =
             equilibrium.map_err(|refusal| OscillatorError::NoStableEquilibrium(vec![refusal]))?;
         Ok(Self::centre(equation, force, equilibrium))
@@ -219,13 +219,13 @@ fn open_parameter(equation: &Equation) -> Result<Option<String>, OscillatorError
 }
 
 /// Rejects an expression that is not a constant with a value.
-fn refuse_no_place(place: &Expression) -> Result<(), OscillatorError> {
-    let why = match (place.symbols().pop_first(), place.without_value()) {
+fn refuse_no_place(position: &Expression) -> Result<(), OscillatorError> {
+    let why = match (position.symbols().pop_first(), position.without_value()) {
         (Some(inside), _) => format!("{inside} in it has no value; give a number, such as 0.5 or pi/2"),
         (None, Some(missing)) => missing.to_string(),
         (None, None) => return Ok(()),
     };
-    Err(OscillatorError::NotAPlace { place: excerpt(&place.to_string()), why })
+    Err(OscillatorError::NotAPlace { place: excerpt(&position.to_string()), why })
 }
 
 /// The acceleration at strength zero.

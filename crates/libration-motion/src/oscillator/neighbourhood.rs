@@ -85,7 +85,8 @@ impl<'a> Neighbourhood<'a> {
     /// The direction of the force; `None` if it is unknown.
     pub(super) fn tendency(&self) -> Option<Tendency> {
         let signs = TRIED.iter().filter_map(|&n| {
-            Some((self.sign(Towards::Below, n)?, self.sign(Towards::Above, n)?)).filter(|it| *it != (0, 0))
+            Some((self.sign(Towards::Below, n)?, self.sign(Towards::Above, n)?))
+                .filter(|pair| *pair != (0, 0))
         });
         match signs.into_iter().next() {
             Some((1, -1)) => Some(Tendency::Back),

@@ -81,8 +81,9 @@ impl PurePower {
 
     fn strength_if_letters_are_one(&self) -> Option<f64> {
         let letters = self.strength.symbols();
-        let number =
-            letters.iter().fold(self.strength.clone(), |it, letter| it.substitute(letter, &1.into()));
+        let number = letters
+            .iter()
+            .fold(self.strength.clone(), |partial, letter| partial.substitute(letter, &1.into()));
         Some(Curve::new(&number, &Symbol::plain(&self.variable))?.at(0.0)).filter(|value| value.is_finite())
     }
 }
@@ -128,7 +129,8 @@ impl Monomial {
     /// The monomial to which a polynomial with fractions reduces if all its other terms cancel.
     fn of_polynomial(formula: &Expression, x: &Symbol) -> Option<Self> {
         let coefficients = formula.polynomial_coefficients(x)?;
-        let mut present = coefficients.into_iter().enumerate().filter(|(_, it)| !it.is_zero());
+        let mut present =
+            coefficients.into_iter().enumerate().filter(|(_, coefficient)| !coefficient.is_zero());
         let ((power, factor), None) = (present.next()?, present.next()) else { return None };
         Some(Self { factor: Expression::Number(factor), exponent: i64::try_from(power).ok()?.into() })
     }

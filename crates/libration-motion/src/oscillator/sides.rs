@@ -28,7 +28,7 @@ impl Sides {
     }
 
     /// The sides of any position; `None` if the force contains the velocity.
-    pub(super) fn about(force: &Force, place: &Rational) -> Option<Self> {
+    pub(super) fn about(force: &Force, position: &Rational) -> Option<Self> {
         if force.uses_velocity() {
             return None;
         }
@@ -36,7 +36,7 @@ impl Sides {
         let from = |sign: i64| {
             let distance =
                 Expression::Multiply(Box::new(sign.into()), Box::new(Expression::Symbol(force.x.clone())));
-            let moved = Expression::Add(Box::new(Expression::Number(place.clone())), Box::new(distance));
+            let moved = Expression::Add(Box::new(Expression::Number(position.clone())), Box::new(distance));
             let formula = without_kinks(&at_rest.substitute(&force.x, &moved), &force.x);
             Expression::Multiply(Box::new(sign.into()), Box::new(formula)).simplified()
         };

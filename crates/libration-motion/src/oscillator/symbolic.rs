@@ -55,22 +55,27 @@ impl SymbolicOscillator {
     ///
     /// # Errors
     /// As [`new`](Self::new).
-    pub fn about(equation: &Equation, place: &Expression) -> Result<Self, SymbolicOscillatorError> {
+    pub fn about(equation: &Equation, position: &Expression) -> Result<Self, SymbolicOscillatorError> {
         let force = force(equation)?;
         let names: Vec<String> = equation.parameters().into_iter().collect();
-        Self::of_letters(equation, &force, place, &names).map_err(|reason| {
+        Self::of_letters(equation, &force, position, &names).map_err(|reason| {
             let variable = force.x.name.clone();
-            SymbolicOscillatorError::NoExpansion { names, variable, at: excerpt(&place.to_string()), reason }
+            SymbolicOscillatorError::NoExpansion {
+                names,
+                variable,
+                at: excerpt(&position.to_string()),
+                reason,
+            }
         })
     }
 
     fn of_letters(
         equation: &Equation,
         force: &Force,
-        place: &Expression,
+        position: &Expression,
         names: &[String],
     ) -> Result<Self, SymbolicSeriesError> {
-        let mut force = Force { formula: counted_from(&force.formula, &force.x, place), ..force.clone() };
+        let mut force = Force { formula: counted_from(&force.formula, &force.x, position), ..force.clone() };
         let variables = [force.x.clone(), force.velocity.clone()];
         let mut named = NamedConstants::new(&variables, names);
         force.formula = named.named(&force.formula);
@@ -79,7 +84,7 @@ impl SymbolicOscillator {
             names.iter().chain(constants.iter().map(|(name, _)| name)).cloned().collect();
         in_ring.push(free_name("omega0", &in_ring));
         let ring = LaurentPolynomials::new(in_ring);
-        let equilibrium = value_of(&ring, place).ok_or(SymbolicSeriesError::NoSeries)?;
+        let equilibrium = value_of(&ring, position).ok_or(SymbolicSeriesError::NoSeries)?;
         let zero = Rational::from(0);
         let kind = match (force.uses_velocity(), force.is_reversible(), force.is_mirrored_about(&zero)) {
             (false, ..) => Some(Kind::Conservative),
@@ -188,7 +193,9 @@ impl SymbolicOscillator {
             let at_rest = of_velocity.substitute(&self.force.velocity, &0.into()).simplified();
             let series = self.taylor_series(&at_rest, degree + 1 - velocity)?;
             let factorial = (1..=u64::try_from(velocity).ok()?).product();
-            for (position, coefficient) in series.into_iter().enumerate().filter(|(_, it)| !it.is_zero()) {
+            for (position, coefficient) in
+                series.into_iter().enumerate().filter(|(_, coefficient)| !coefficient.is_zero())
+            {
                 powers.push(([position, velocity], self.ring.over_integer(&coefficient, factorial)?));
             }
             of_velocity = of_velocity.derivative(&self.force.velocity).simplified();
@@ -272,11 +279,11 @@ fn stiffness(
     Ok(omega0_squared)
 }
 
-fn counted_from(formula: &Expression, x: &Symbol, place: &Expression) -> Expression {
-    if *place == Expression::from(0) {
+fn counted_from(formula: &Expression, x: &Symbol, position: &Expression) -> Expression {
+    if *position == Expression::from(0) {
         return formula.clone();
     }
-    let shifted = Expression::Add(Box::new(Expression::Symbol(x.clone())), Box::new(place.clone()));
+    let shifted = Expression::Add(Box::new(Expression::Symbol(x.clone())), Box::new(position.clone()));
     formula.substitute(x, &shifted)
 }
 

@@ -22,11 +22,11 @@ pub fn extrema(steps: &[OwnedStep], component: usize, drift: f64, end: f64) -> E
 }
 
 /// The times within a step at which the rate of change of a component equals a drift.
-pub fn turns_in(own: &OwnedStep, component: usize, drift: f64, end: f64) -> Vec<f64> {
+pub fn turns_in(owned: &OwnedStep, component: usize, drift: f64, end: f64) -> Vec<f64> {
     /// Number of parts of a step that are searched. A step may be longer than the time between turning points: for an oscillator, whose series
     /// converge everywhere, it is 3 to 5 radians. None of its quarters contains two turning points.
     const PARTS: u32 = 4;
-    let step = own.step();
+    let step = owned.step();
     let (begin, length) = (step.start(), step.end().min(end) - step.start());
     let rises = |time: f64| step.rate_at(component, time) > drift;
     let time = |number: u32| begin + length * f64::from(number) / f64::from(PARTS);

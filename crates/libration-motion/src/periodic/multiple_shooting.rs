@@ -56,7 +56,7 @@ pub struct Checked<'a> {
     /// Units and conditions.
     pub frame: Frame<'a>,
     /// The components of the first state, then the further unknowns.
-    pub place: &'a [f64],
+    pub position: &'a [f64],
     /// The errors of these components and unknowns, in scaled units.
     pub errors: &'a [f64],
     /// The growth of deviations in a period.
@@ -81,7 +81,7 @@ impl Checked<'_> {
         counts.take_while(|pieces| *pieces <= MOST_PIECES).any(|pieces| {
             let starts = std::iter::successors(Some(0.0), |k| Some(k + 1.0)).take_while(|k| *k < pieces);
             let states = starts.map(|k| state_at(k / pieces)).collect::<Option<Vec<_>>>();
-            let further = self.place[self.frame.shift.len()..].to_vec();
+            let further = self.position[self.frame.shift.len()..].to_vec();
             let between = |number: usize, state: &[f64], further: &[f64]| {
                 piece([number, number + 1].map(|k| count(k) / pieces), state, further)
             };
@@ -91,10 +91,10 @@ impl Checked<'_> {
     }
 
     /// Returns `true` if the found orbit lies within the errors of this one.
-    fn holds(&self, found: &Nodes) -> bool {
-        let orbit = found.states[0].iter().chain(&found.further);
-        let off = orbit.zip(self.place).map(|(a, b)| a - b);
-        let allowed = self.errors.iter().zip(self.place).zip(self.frame.units);
+    fn holds(&self, nodes: &Nodes) -> bool {
+        let orbit = nodes.states[0].iter().chain(&nodes.further);
+        let off = orbit.zip(self.position).map(|(a, b)| a - b);
+        let allowed = self.errors.iter().zip(self.position).zip(self.frame.units);
         off.zip(allowed).all(|(off, ((error, x), unit))| {
             off.abs() <= CLOSED * (error * unit + f64::EPSILON * x.abs().max(*unit))
         })
@@ -125,7 +125,7 @@ impl Nodes {
             let pieces: Vec<Piece> =
                 numbered.map(|(number, state)| piece(number, state, &self.further)).collect::<Option<_>>()?;
             let missed: Vec<Vec<f64>> =
-                pieces.iter().enumerate().map(|(number, it)| self.missed(frame, number, it)).collect();
+                pieces.iter().enumerate().map(|(number, part)| self.missed(frame, number, part)).collect();
             let rounding = f64::EPSILON * (1.0 + self.size(frame));
             let joins = |(missed, piece): (&Vec<f64>, &Piece)| {
                 largest(missed) <= CLOSED * (1.0 + frame.norm(piece)) * rounding

@@ -199,7 +199,8 @@ fn check_trend(values: &[f64]) -> Result<(), SpectrumError> {
     let (Some(&first), Some(&last)) = (values.first(), values.last()) else { return Ok(()) };
     let slope = (last - first) / float(values.len() - 1);
     let departures = values.iter().enumerate().map(|(index, value)| value - first - slope * float(index));
-    let (low, high) = departures.fold((0.0, 0.0), |(low, high): (f64, f64), it| (low.min(it), high.max(it)));
+    let (low, high) = departures
+        .fold((0.0, 0.0), |(low, high): (f64, f64), departure| (low.min(departure), high.max(departure)));
     if high - low < 0.5 * (last - first).abs() { Err(SpectrumError::Trend { first, last }) } else { Ok(()) }
 }
 

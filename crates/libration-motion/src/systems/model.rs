@@ -26,7 +26,7 @@ pub struct Model {
     equation: Equation,
     coordinates: Vec<Coordinate>,
     values: Vec<(String, Expression)>,
-    known: Option<NamedProperties>,
+    properties: Option<NamedProperties>,
 }
 
 /// Properties that only named systems have, with values substituted.
@@ -88,12 +88,12 @@ impl Model {
         let bodies = named.bodies.iter().map(|body| Ok([formulas(body.place)?, formulas(body.pivot)?]));
         let properties = NamedProperties {
             bodies: bodies.collect::<Result<_, ModelError>>()?,
-            energy: Some(named.energy).filter(|it| !it.is_empty()).map(put_in).transpose()?,
-            power: Some(named.power).filter(|it| !it.is_empty()).map(put_in).transpose()?,
+            energy: Some(named.energy).filter(|text| !text.is_empty()).map(put_in).transpose()?,
+            power: Some(named.power).filter(|text| !text.is_empty()).map(put_in).transpose()?,
             drive_frequency: named.drive_frequency.map(put_in).transpose()?,
         };
         let (key, title) = (Some(named.key), named.title);
-        Ok(Self { key, title, equation, coordinates, values, known: Some(properties) })
+        Ok(Self { key, title, equation, coordinates, values, properties: Some(properties) })
     }
 
     /// An oscillator of the other catalogue, at rest in its equilibrium.
@@ -111,7 +111,7 @@ impl Model {
         if let Ok(oscillator) = Oscillator::new(&equation) {
             coordinates[0].at_rest = oscillator.equilibrium().to_f64();
         }
-        Ok(Self { key: Some(named.key), title: named.title, equation, coordinates, values, known: None })
+        Ok(Self { key: Some(named.key), title: named.title, equation, coordinates, values, properties: None })
     }
 
     /// Equations of motion as text, several with `;` between them. Times are in seconds,
@@ -122,7 +122,7 @@ impl Model {
     pub fn typed(equations: &str, values: ParameterValues, open: &[&str]) -> Result<Self, ModelError> {
         let (equation, values) = filled(equations, values, [].into_iter(), open)?;
         let coordinates = by_names(&equation);
-        Ok(Self { key: None, title: "equations of motion", equation, coordinates, values, known: None })
+        Ok(Self { key: None, title: "equations of motion", equation, coordinates, values, properties: None })
     }
 
     /// The key in one of the catalogues.
@@ -226,7 +226,7 @@ impl Model {
     /// The angular frequency of the drive, if it is known.
     #[must_use]
     pub fn drive_frequency(&self) -> Option<f64> {
-        self.known.as_ref()?.drive_frequency.as_ref().and_then(Expression::to_f64)
+        self.properties.as_ref()?.drive_frequency.as_ref().and_then(Expression::to_f64)
     }
 
     /// The positions of the bodies, if known: those given for named systems; angles of other equations are those of rods on one axle.
@@ -234,7 +234,7 @@ impl Model {
     pub fn bodies(&self) -> Option<Bodies> {
         let names: Vec<Symbol> =
             self.coordinates.iter().map(|coordinate| Symbol::plain(&coordinate.name)).collect();
-        let positions = match &self.known {
+        let positions = match &self.properties {
             Some(properties) if properties.bodies.is_empty() => return None,
             Some(properties) => properties.bodies.clone(),
             None if self.layout().is_of_second_order()
@@ -250,7 +250,7 @@ impl Model {
     /// The energy gained per unit of time by a named system, a formula of the state and the time t.
     #[must_use]
     pub fn power(&self) -> Option<&Expression> {
-        self.known.as_ref().and_then(|properties| properties.power.as_ref())
+        self.properties.as_ref().and_then(|properties| properties.power.as_ref())
     }
 
     /// The conserved energy: the known energy of a named system whose damping and driving are zero, and
@@ -259,7 +259,7 @@ impl Model {
     /// # Errors
     /// The reason why there is none.
     pub fn energy(&self) -> Result<Energy, EnergyError> {
-        match &self.known {
+        match &self.properties {
             Some(NamedProperties { energy: Some(energy), power: Some(power), .. }) => {
                 match power.vanishes() {
                     true => Energy::of_formula(&self.equation, energy),
@@ -296,7 +296,9 @@ fn filled<'a>(
     }
     let open: Vec<String> = open.iter().map(|name| plain(name)).collect();
     for (name, default) in defaults {
-        if values.iter().all(|(given_name, _)| given_name != name) && !open.iter().any(|it| it == name) {
+        if values.iter().all(|(given_name, _)| given_name != name)
+            && !open.iter().any(|open_name| open_name == name)
+        {
             values.push((name.to_owned(), formula(default)?));
         }
     }
@@ -330,7 +332,7 @@ fn each_like(families: &[Coordinate], equation: &Equation) -> Vec<Coordinate> {
     let of = |name: &String| {
         let family = families
             .iter()
-            .find(|family| family.name.split('[').next().is_some_and(|it| name.starts_with(it)));
+            .find(|family| family.name.split('[').next().is_some_and(|stem| name.starts_with(stem)));
         family.map_or_else(
             || Coordinate::by_name(name),
             |family| Coordinate { name: name.clone(), ..family.clone() },

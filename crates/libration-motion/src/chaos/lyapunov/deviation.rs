@@ -63,9 +63,9 @@ impl<'a> Deviation<'a> {
 }
 
 /// A number from 1/4 to 5/4 for each index, without any symmetry: from multiples of the golden ratio.
-pub(super) fn unequal_part(place: u32) -> f64 {
+pub(super) fn unequal_part(index: u32) -> f64 {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    0.25 + (f64::from(place) * GOLDEN).fract()
+    0.25 + (f64::from(index) * GOLDEN).fract()
 }
 
 /// The cause for which an integration stopped after it had begun.

@@ -21,7 +21,7 @@ pub(super) struct Laboratory<'a> {
     /// Components of the state that may grow without bound: angles, and coordinates on which nothing depends.
     unconfined: Vec<bool>,
     /// The regularity that follows without a measurement.
-    known: Option<Regularity>,
+    regularity: Option<Regularity>,
     /// The time and state of the given motion after the transient.
     settled: Moment,
 }
@@ -44,7 +44,7 @@ impl<'a> Laboratory<'a> {
         let units = extent.units(&angles);
         let unconfined =
             angles.iter().zip(cyclic(equation)).map(|(angle, cyclic)| *angle || cyclic).collect();
-        Ok(Self { plain, extended, schedule, effort, units, unconfined, known: regularity, settled })
+        Ok(Self { plain, extended, schedule, effort, units, unconfined, regularity, settled })
     }
 
     /// Measures the requested motion.
@@ -76,7 +76,7 @@ impl<'a> Laboratory<'a> {
 
     /// The known verdict, or that of a motion; if the motion looks chaotic, its neighbours must confirm it.
     pub(super) fn verdict(&self, evidence: &Evidence, start: &Moment, watch: &Watch<'_>) -> LyapunovVerdict {
-        if let Some(regularity) = self.known {
+        if let Some(regularity) = self.regularity {
             return LyapunovVerdict::Regular(regularity);
         }
         let verdict = evidence.verdict(self.effort, &self.unconfined);
@@ -101,7 +101,7 @@ impl<'a> Laboratory<'a> {
             integrate_stepwise(&self.plain, &self.displaced(start, neighbour), &times, self.effort, |_| {
                 watch.flow()
             });
-        match settled.map_err(LyapunovError::from).and_then(|it| self.follow(it.end, watch)) {
+        match settled.map_err(LyapunovError::from).and_then(|solution| self.follow(solution.end, watch)) {
             Err(error) => Some(Doubt::Stopped(cause_of(error))),
             Ok(Evidence { stopped: Some(cause), .. }) => Some(Doubt::Stopped(cause)),
             Ok(other) => {

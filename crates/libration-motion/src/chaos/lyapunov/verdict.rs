@@ -160,7 +160,8 @@ impl Evidence {
 
     /// Returns `true` if the exponents of two motions are of the same size, within their errors.
     pub fn agrees_with(&self, other: &Self) -> bool {
-        let [here, others] = [self, other].map(|it| (it.record.exponent(), it.record.variation()));
+        let [here, others] =
+            [self, other].map(|verdict| (verdict.record.exponent(), verdict.record.variation()));
         (here.0 - others.0).abs() <= 0.5 * here.0.max(others.0) + CERTAIN * libm::hypot(here.1, others.1)
     }
 }

@@ -25,9 +25,9 @@ pub(in crate::taylor) fn gathered_roundings(
     if steps.saturating_mul(numbers * numbers) > MOST_NUMBERS {
         return Ok(None);
     }
-    let plain = system.clone().with_events(&[]).ok().and_then(|it| it.with_tolerances(&[]).ok());
+    let plain = system.clone().with_events(&[]).ok().and_then(|plain| plain.with_tolerances(&[]).ok());
     let (Some(outcome), Some(plain)) = (Outcome::new(system, &survey), plain) else { return Ok(None) };
-    let mut gathered = Gathered { layout: system.layout(), sums: outcome.own, slopes: outcome.slopes };
+    let mut gathered = Gathered { layout: system.layout(), sums: outcome.end_errors, slopes: outcome.slopes };
     let mut end = Some(&survey.solution.end);
     for stretch in survey.stretches.iter().rev() {
         // One more step, the first of the next stretch, so that the derivatives across the last step are known.

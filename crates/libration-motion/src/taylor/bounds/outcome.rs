@@ -11,7 +11,7 @@ pub(in crate::taylor) struct Outcome {
     /// Derivatives of each result with respect to the state at that time.
     pub(in crate::taylor) slopes: Vec<Vec<f64>>,
     /// Rounding errors added at the end itself.
-    pub(in crate::taylor) own: Vec<f64>,
+    pub(in crate::taylor) end_errors: Vec<f64>,
 }
 
 impl Outcome {
@@ -29,7 +29,7 @@ impl Outcome {
         let numbers = end.state.len();
         let row = |result: usize| (0..numbers).map(|number| f64::from(u8::from(number == result))).collect();
         let errors = end.state.iter().map(|value| ROUNDING * value.abs()).chain([0.0]).collect();
-        Self { slopes: (0..=numbers).map(row).collect(), own: errors }
+        Self { slopes: (0..=numbers).map(row).collect(), end_errors: errors }
     }
 
     /// The outcome for a passage: the time changes by minus the deviation of the formula divided by its rate, and the state with the time.
@@ -45,6 +45,6 @@ impl Outcome {
         let moving = passing.speeds.iter().zip(&end.state);
         let errors =
             moving.map(|(speed, value)| late * speed.abs() + ROUNDING * value.abs()).chain([late]).collect();
-        Self { slopes, own: errors }
+        Self { slopes, end_errors: errors }
     }
 }

@@ -71,12 +71,12 @@ impl Checkpoint {
 
 impl EventCheckpoint {
     pub(in crate::taylor) fn from_contacts(contacts: &Contacts) -> Self {
-        let Contacts { side, last, near, found, .. } = *contacts;
-        Self { side, last: Some(last).filter(|last| last.is_finite()), near, found }
+        let Contacts { side, last, near, zeros, .. } = *contacts;
+        Self { side, last: Some(last).filter(|last| last.is_finite()), near, found: zeros }
     }
 
     pub(in crate::taylor) fn contacts(&self) -> Contacts {
         let last = self.last.unwrap_or(f64::NEG_INFINITY);
-        Contacts { side: self.side, begun: true, last, near: self.near, found: self.found }
+        Contacts { side: self.side, begun: true, last, near: self.near, zeros: self.found }
     }
 }

@@ -38,7 +38,7 @@ pub struct Ensemble {
 /// One motion: its present step and the data from which it continues.
 #[derive(Clone, Debug)]
 struct Member {
-    known: KnownState,
+    state: KnownState,
     way: Way,
 }
 
@@ -72,7 +72,7 @@ impl Ensemble {
             Trajectory { start: start.clone(), parameters: vec![], times: &[HORIZON] }.check(&system)?;
         }
         let members =
-            starts.iter().map(|start| Member { known: KnownState::At(start.clone()), way: Way::Start });
+            starts.iter().map(|start| Member { state: KnownState::At(start.clone()), way: Way::Start });
         Ok(Self { members: members.collect(), system, effort: *effort })
     }
 
@@ -144,7 +144,7 @@ fn step(stepper: &mut Stepper<'_, LANES>, members: &mut [Member], group: &[usize
         match ahead {
             Err(cause) => member.way = Way::Ended(cause),
             Ok(()) => {
-                member.known = KnownState::During(stepper.step(lane).to_owned_step());
+                member.state = KnownState::During(stepper.step(lane).to_owned_step());
                 member.way = Way::From(stepper.checkpoint_to_this_goal(lane));
             }
         }
@@ -154,7 +154,7 @@ fn step(stepper: &mut Stepper<'_, LANES>, members: &mut [Member], group: &[usize
 impl Member {
     /// Puts the motion into a lane.
     fn begin(&self, stepper: &mut Stepper<'_, LANES>, lane: usize) {
-        match (&self.way, &self.known) {
+        match (&self.way, &self.state) {
             (Way::From(checkpoint), _) => {
                 let here = Moment { time: checkpoint.time, state: checkpoint.rounded_state() };
                 stepper.start(lane, &here, &[], HORIZON);
@@ -166,7 +166,7 @@ impl Member {
     }
 
     fn is_behind(&self, time: f64) -> bool {
-        let until = match &self.known {
+        let until = match &self.state {
             KnownState::At(start) => start.time,
             KnownState::During(step) => step.step().end(),
         };
@@ -175,7 +175,7 @@ impl Member {
 
     #[expect(clippy::float_cmp, reason = "a start is known at its time alone")]
     fn state_at(&self, time: f64) -> Option<Vec<f64>> {
-        match &self.known {
+        match &self.state {
             KnownState::At(start) => (time == start.time).then(|| start.state.clone()),
             KnownState::During(step) => {
                 let step = step.step();

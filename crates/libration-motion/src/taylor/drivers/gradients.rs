@@ -38,7 +38,7 @@ impl Gradients {
     /// The same formulas for a state that is integrated together with its sensitivities.
     #[must_use]
     pub fn among(self, sensitivities: &Sensitivities) -> Self {
-        let slots = (0..self.places.len()).map(|component| sensitivities.place(0, component)).collect();
+        let slots = (0..self.places.len()).map(|component| sensitivities.index(0, component)).collect();
         Self { places: slots, ..self }
     }
 

@@ -61,7 +61,7 @@ impl<'a> PartialSolution<'a> {
     /// The time at which an event in the last step ended the integration.
     pub(in crate::taylor) fn ended_at(&self) -> Option<f64> {
         let last = self.new_events().last().filter(|last| last.contact != Contact::Start)?;
-        let number = Some(self.contacts[last.event].found);
+        let number = Some(self.contacts[last.event].zeros);
         (self.system.events()[last.event].ends_at == number).then_some(last.time)
     }
 
@@ -169,7 +169,7 @@ impl<'a> PartialSolution<'a> {
         for (time, event, contact) in zeros {
             let state = step.state_at(time);
             self.events.push(Occurrence { event, time, state: state.clone(), contact });
-            let passed = &mut self.contacts[event].found;
+            let passed = &mut self.contacts[event].zeros;
             *passed += u64::from(contact != Contact::Start);
             if contact != Contact::Start && self.system.events()[event].ends_at == Some(*passed) {
                 return Some(Moment { time, state });

@@ -29,7 +29,7 @@ use libration_numbers::expression::{Equation, EquationError, Expression};
 pub struct Sensitivities {
     equation: Equation,
     /// Layouts of the motion alone, and with its derivatives.
-    own: StateLayout,
+    layout: StateLayout,
     all: StateLayout,
     state_names: Vec<String>,
     /// The quantities in the order in which they were requested.
@@ -114,7 +114,7 @@ impl Sensitivities {
         let values: Vec<_> = values.iter().filter(|(name, _)| left.contains(*name)).cloned().collect();
         let equation = with_all.with(&values)?;
         let all = StateLayout::new(&equation);
-        Ok(Self { equation, own: layout, all, state_names, origins })
+        Ok(Self { equation, layout, all, state_names, origins })
     }
 
     /// The equations of motion and derivatives.
@@ -139,11 +139,11 @@ impl Sensitivities {
     pub fn start(&self, state: &[f64]) -> crate::taylor::Moment {
         let mut all = vec![0.0; self.all.numbers()];
         for (number, value) in state.iter().enumerate() {
-            all[self.place(0, number)] = *value;
+            all[self.index(0, number)] = *value;
         }
         for origin in &self.origins {
             if let Some(number) = origin.initial {
-                all[self.place(origin.copy, number)] = 1.0;
+                all[self.index(origin.copy, number)] = 1.0;
             }
         }
         crate::taylor::Moment { time: 0.0, state: all }
@@ -162,13 +162,13 @@ impl Sensitivities {
     }
 
     fn copy_in<'a>(&'a self, all: &'a [f64], copy: usize) -> impl Iterator<Item = f64> + 'a {
-        (0..self.own.numbers()).map(move |number| all[self.place(copy, number)])
+        (0..self.layout.numbers()).map(move |number| all[self.index(copy, number)])
     }
 
     /// The index of a state component in a copy of the state.
-    pub(in crate::taylor) fn place(&self, copy: usize, number: usize) -> usize {
-        let first = copy * self.own.coordinates();
-        match self.own.driving(number).filter(|_| self.own.is_velocity(number)) {
+    pub(in crate::taylor) fn index(&self, copy: usize, number: usize) -> usize {
+        let first = copy * self.layout.coordinates();
+        match self.layout.driving(number).filter(|_| self.layout.is_velocity(number)) {
             Some(coordinate) => self.all.driven(first + coordinate),
             None => first + number,
         }

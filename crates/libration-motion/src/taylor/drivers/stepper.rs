@@ -88,7 +88,7 @@ impl<'a, const N: usize> Stepper<'a, N> {
     /// Continues a motion in a lane, which has been started.
     pub(in crate::taylor) fn resume(&mut self, lane: usize, checkpoint: &Checkpoint) {
         for (number, &[high, low]) in checkpoint.state.iter().enumerate() {
-            self.block.place(number, lane, high, low);
+            self.block.set_component(number, lane, high, low);
         }
         (self.block.unit[lane], self.fresh[lane], self.begun) = (checkpoint.unit, false, false);
         self.branches.resume(lane, checkpoint.moduli.iter().map(|modulus| modulus.zeros));

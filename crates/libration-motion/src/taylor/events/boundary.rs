@@ -78,16 +78,17 @@ pub(in crate::taylor) fn reached(tape: &Tape, formulas: usize) -> Vec<usize> {
 }
 
 /// The slots that are zero where this one is, as simple zeros as far as the formula shows.
-fn zeros(tape: &Tape, place: usize, first_sign: usize) -> Vec<usize> {
-    let is_sign = |slot: usize| matches!(tape.operations()[slot], Operation::Input(n) if n >= first_sign);
-    match tape.operations()[place] {
+fn zeros(tape: &Tape, slot: usize, first_sign: usize) -> Vec<usize> {
+    let is_sign =
+        |operand: usize| matches!(tape.operations()[operand], Operation::Input(n) if n >= first_sign);
+    match tape.operations()[slot] {
         Operation::Multiply(a, b) if is_sign(a) || is_sign(b) => vec![],
         Operation::Multiply(a, b) => [zeros(tape, a, first_sign), zeros(tape, b, first_sign)].concat(),
         // The zero of a divisor or of the base of a power is a separate boundary.
         Operation::Negate(a) | Operation::Divide(a, _) | Operation::Power(a, _) => zeros(tape, a, first_sign),
         Operation::Exp(_) => vec![],
         Operation::Paired { function, .. } if !function.has_zeros() => vec![],
-        _ => vec![place],
+        _ => vec![slot],
     }
 }
 

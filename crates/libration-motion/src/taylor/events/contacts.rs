@@ -26,7 +26,7 @@ pub(in crate::taylor) struct Contacts {
     /// `true` if the formula was within the tolerance of zero at the end of the step.
     pub(in crate::taylor) near: bool,
     /// Number of zeros that counted, excluding the start.
-    pub(in crate::taylor) found: u64,
+    pub(in crate::taylor) zeros: u64,
 }
 
 /// A step of a formula: Σ cₙτⁿ with τ from zero to one.
@@ -139,7 +139,7 @@ impl<'a> Stretch<'a> {
 
 impl Contacts {
     pub(in crate::taylor) const NONE: Self =
-        Self { side: None, begun: false, last: f64::NEG_INFINITY, near: false, found: 0 };
+        Self { side: None, begun: false, last: f64::NEG_INFINITY, near: false, zeros: 0 };
 
     /// The zeros in a step, with their times in the order of the step. At the beginning of the motion, a formula below its error counts as zero.
     pub(in crate::taylor) fn zeros_in(
@@ -222,13 +222,13 @@ impl Contacts {
     }
 
     /// Finds the contacts after the start, from extremum to extremum, and the one at the start that the last step left open.
-    fn inside(&mut self, stretch: &Stretch<'_>, blur: f64, found: &mut Vec<(f64, Contact)>) {
+    fn inside(&mut self, stretch: &Stretch<'_>, blur: f64, contacts: &mut Vec<(f64, Contact)>) {
         let Some(mut side) = self.side else { return };
         let mut before = 0.0;
         let is_kinked = stretch.rounding.is_some();
         let first = &stretch.coefficients[..2];
         let is_near = is_kinked || first[0].abs() <= blur && first[1] * side > 0.0;
-        let is_open = self.near && is_near && found.is_empty() && !self.just_found(stretch, stretch.start);
+        let is_open = self.near && is_near && contacts.is_empty() && !self.just_found(stretch, stretch.start);
         let mut touched = is_open.then_some(0.0);
         let nodes = stretch.extrema().into_iter().map(|node| (node, true)).chain([(1.0, false)]);
         for (node, is_extremum) in nodes {
@@ -240,16 +240,16 @@ impl Contacts {
             } else if is_near && is_kinked {
                 // The end: the next step shows what follows.
             } else if value * side > 0.0 {
-                found.extend(touched.take().map(|tau| (stretch.time(tau), Contact::Grazing)));
+                contacts.extend(touched.take().map(|tau| (stretch.time(tau), Contact::Grazing)));
             } else if value * side < 0.0 {
                 side = -side;
                 let inner = touched.take().filter(|&tau| tau > 0.0);
                 let zero = inner.unwrap_or_else(|| self.zero(stretch, before, node, side));
-                found.push((stretch.time(zero), crossing(side)));
+                contacts.push((stretch.time(zero), crossing(side)));
             }
             before = node;
         }
-        found.extend(touched.and_then(|tau| stretch.touch(tau, blur)));
+        contacts.extend(touched.and_then(|tau| stretch.touch(tau, blur)));
         self.side = Some(side);
     }
 

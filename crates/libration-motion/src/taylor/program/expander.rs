@@ -192,19 +192,19 @@ fn plan(system: &System, order: usize, lanes: usize) -> Plan {
 }
 
 /// Returns `true` if a formula of a tape is linear in the first inputs, the state, and in the time.
-fn is_linear(tape: &Tape, place: usize, numbers: usize) -> bool {
-    let linear = |slot: usize| is_linear(tape, slot, numbers);
-    let constant = |slot: usize| match tape.operations()[slot] {
+fn is_linear(tape: &Tape, slot: usize, numbers: usize) -> bool {
+    let linear = |operand: usize| is_linear(tape, operand, numbers);
+    let constant = |operand: usize| match tape.operations()[operand] {
         Operation::Input(number) => number > numbers,
-        _ => tape.is_constant(slot),
+        _ => tape.is_constant(operand),
     };
-    match tape.operations()[place] {
+    match tape.operations()[slot] {
         Operation::Input(_) => true,
         Operation::Negate(a) => linear(a),
         Operation::Add(a, b) | Operation::Subtract(a, b) => linear(a) && linear(b),
         Operation::Multiply(a, b) => constant(a) && linear(b) || constant(b) && linear(a),
         Operation::Divide(a, b) => linear(a) && constant(b),
-        _ => tape.is_constant(place),
+        _ => tape.is_constant(slot),
     }
 }
 

@@ -66,7 +66,7 @@ impl Linearised {
                 Operation::Input(number) if *number < numbers => {
                     linearised.slopes[numbers * slot + number] = 1.0;
                 }
-                _ if tape.is_constant(slot) => linearised.place(slot, &[]),
+                _ if tape.is_constant(slot) => linearised.evaluate_slot(slot, &[]),
                 _ => {}
             }
         }
@@ -84,7 +84,7 @@ impl Linearised {
     /// Evaluates the formulas for these inputs.
     pub(crate) fn evaluate(&mut self, inputs: &[f64]) {
         for number in 0..self.varying.len() {
-            self.place(self.varying[number], inputs);
+            self.evaluate_slot(self.varying[number], inputs);
         }
     }
 
@@ -104,17 +104,17 @@ impl Linearised {
         &self.slopes[self.numbers * slot..self.numbers * (slot + 1)]
     }
 
-    fn place(&mut self, place: usize, inputs: &[f64]) {
-        let Differential { value, by, is_exact } = self.differential(place, inputs);
-        self.values[place] = value;
+    fn evaluate_slot(&mut self, slot: usize, inputs: &[f64]) {
+        let Differential { value, by, is_exact } = self.differential(slot, inputs);
+        self.values[slot] = value;
         let inherited = |&(operand, slope): &(usize, f64)| {
             let error = self.errors[operand];
             if error > 0.0 { slope.abs() * error } else { 0.0 }
         };
         let inherited: f64 = by.iter().flatten().map(inherited).sum();
-        let rounding = if is_exact { 0.0 } else { value.abs().max(self.underflow(place)) };
-        self.errors[place] = inherited + rounding;
-        let (before, rest) = self.slopes.split_at_mut(self.numbers * place);
+        let rounding = if is_exact { 0.0 } else { value.abs().max(self.underflow(slot)) };
+        self.errors[slot] = inherited + rounding;
+        let (before, rest) = self.slopes.split_at_mut(self.numbers * slot);
         let derivatives = &mut rest[..self.numbers];
         let of = |operand: usize| &before[self.numbers * operand..self.numbers * (operand + 1)];
         match by {
@@ -134,9 +134,9 @@ impl Linearised {
     }
 
     /// The least rounding error of an operation whose value may be below the range of numbers with all digits, in units of [`ROUNDING`].
-    fn underflow(&self, place: usize) -> f64 {
+    fn underflow(&self, slot: usize) -> f64 {
         let is_zero = |operand: usize| self.values[operand] == 0.0;
-        match self.tape.operations()[place] {
+        match self.tape.operations()[slot] {
             Operation::Multiply(a, b) if is_zero(a) || is_zero(b) => 0.0,
             Operation::Divide(a, _) | Operation::Power(a, _) if is_zero(a) => 0.0,
             Operation::Multiply(..) | Operation::Divide(..) | Operation::Power(..) | Operation::Exp(_) => {
@@ -146,11 +146,11 @@ impl Linearised {
         }
     }
 
-    fn differential(&mut self, place: usize, inputs: &[f64]) -> Differential {
+    fn differential(&mut self, slot: usize, inputs: &[f64]) -> Differential {
         let exact = |value: f64, by| Differential { value, by, is_exact: true };
         let rounded = |value: f64, by| Differential { value, by, is_exact: false };
-        let at = |slot: usize| self.values[slot];
-        match self.tape.operations()[place] {
+        let at = |operand: usize| self.values[operand];
+        match self.tape.operations()[slot] {
             Operation::Input(number) => exact(inputs[number], [None; 2]),
             Operation::Number(ref number) => {
                 Differential { value: number.to_f64(), by: [None; 2], is_exact: number.is_double() }
@@ -175,8 +175,8 @@ impl Linearised {
             }
             Operation::Paired { function, of, other, slope } => {
                 let argument = at(of);
-                let value = if other < place { at(place) } else { function.at_double(argument) };
-                if other > place
+                let value = if other < slot { at(slot) } else { function.at_double(argument) };
+                if other > slot
                     && let Operation::Paired { function, .. } = self.tape.operations()[other]
                 {
                     self.values[other] = function.at_double(argument);

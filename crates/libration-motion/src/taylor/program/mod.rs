@@ -140,7 +140,7 @@ impl Program {
 fn begin_rows<const N: usize>(zeroth: &[Zeroth], block: &mut Block<N>) {
     for zeroth in zeroth {
         match *zeroth {
-            Zeroth::One { out, value } => block[out][0] = known(value.evaluate(block)),
+            Zeroth::One { out, value } => block[out][0] = value_or_nan(value.evaluate(block)),
             Zeroth::Reciprocal { of, out } => {
                 block[out][0] = lanes(|lane| 1.0 / block[of][0][lane]);
             }
@@ -236,7 +236,7 @@ pub(in crate::taylor) fn begins_beyond(exponent: f64, n: usize) -> bool {
 }
 
 #[inline(always)]
-fn known<const N: usize>(value: Option<[f64; N]>) -> [f64; N] {
+fn value_or_nan<const N: usize>(value: Option<[f64; N]>) -> [f64; N] {
     value.unwrap_or([f64::NAN; N])
 }
 
@@ -283,18 +283,18 @@ impl Writer<'_> {
         Row::new(self.program.rows, self.terms)
     }
 
-    fn write(&mut self, place: usize) {
-        let operation = &self.tape.operations()[place];
+    fn write(&mut self, slot: usize) {
+        let operation = &self.tape.operations()[slot];
         let degree = self.degree(operation);
         let plain =
             if let Operation::Input(number) = *operation { Row::new(number, self.terms) } else { self.row() };
-        let weighted = if self.tape.is_weighted(place) { self.row() } else { plain };
+        let weighted = if self.tape.is_weighted(slot) { self.row() } else { plain };
         self.places.push(Weighted { plain, weighted });
         self.degrees.push(degree);
         self.write_value(operation, plain);
         if degree > 0 {
             self.prepare_divisor(operation);
-            let instruction = self.instruction(operation, place);
+            let instruction = self.instruction(operation, slot);
             let weight = (weighted != plain).then_some(Instruction::Weight { a: plain, out: weighted });
             let list = if degree == 1 { &mut self.program.linear } else { &mut self.program.nonlinear };
             list.extend(instruction.into_iter().chain(weight));
@@ -366,14 +366,14 @@ impl Writer<'_> {
     }
 
     /// The instruction for an operation; `None` for inputs and constants.
-    fn instruction(&self, operation: &Operation, place: usize) -> Option<Instruction<Row, f64>> {
+    fn instruction(&self, operation: &Operation, slot: usize) -> Option<Instruction<Row, f64>> {
         // On the tape, absolute values and signs are products with signs, which are inputs.
         if matches!(operation, Operation::Abs(_) | Operation::Sign(_)) {
             return None;
         }
         // The rows after a slot's row are reserved before they are written.
         let next = Weighted { plain: self.next_row(), weighted: self.next_row() };
-        let rows = |slot: usize| self.places.get(slot).copied().unwrap_or(next);
+        let rows = |operand: usize| self.places.get(operand).copied().unwrap_or(next);
         let swapped = match *operation {
             // The newest coefficient of the first factor enters last. Double pendulums
             // at 1e-12, single or two hundred side by side, take 0.96 of the time.
@@ -381,7 +381,7 @@ impl Writer<'_> {
             _ => None,
         };
         let operation = swapped.as_ref().unwrap_or(operation);
-        let reciprocal = |slot: usize| self.reciprocals.get(&slot).copied();
-        Instruction::new(operation, place, rows, reciprocal, |slot| self.degrees[slot], Rational::to_f64)
+        let reciprocal = |operand: usize| self.reciprocals.get(&operand).copied();
+        Instruction::new(operation, slot, rows, reciprocal, |operand| self.degrees[operand], Rational::to_f64)
     }
 }

@@ -123,10 +123,10 @@ impl Moduli {
     }
 
     /// Returns `true` if a formula, out of which these signs were taken, jumps where an argument is zero.
-    pub(in crate::taylor) fn jumps(&self, place: usize, formula: &Expression) -> bool {
-        let side = |side: i64| formula.substitute(&sign(place), &Expression::from(side));
+    pub(in crate::taylor) fn jumps(&self, index: usize, formula: &Expression) -> bool {
+        let side = |side: i64| formula.substitute(&sign(index), &Expression::from(side));
         let both = Expression::Subtract(Box::new(side(1)), Box::new(side(-1)));
-        let there = roots_of_zero(&with_zero(&both, &self.arguments[place].argument));
+        let there = roots_of_zero(&with_zero(&both, &self.arguments[index].argument));
         !there.vanishes()
     }
 
@@ -185,6 +185,6 @@ fn roots_of_zero(formula: &Expression) -> Expression {
 }
 
 /// The symbol of a sign, with a name that cannot occur in a text.
-fn sign(place: usize) -> Symbol {
-    Symbol::plain(&format!("sign of |{place}|"))
+fn sign(index: usize) -> Symbol {
+    Symbol::plain(&format!("sign of |{index}|"))
 }

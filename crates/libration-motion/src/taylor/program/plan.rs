@@ -11,7 +11,7 @@ use crate::taylor::step::block::Row;
 /// The plans for all orders and numbers of lanes in which a system was expanded.
 #[derive(Debug, Default)]
 pub(in crate::taylor) struct Plans {
-    known: Mutex<Vec<Arc<Plan>>>,
+    plans: Mutex<Vec<Arc<Plan>>>,
 }
 
 impl Plans {
@@ -21,7 +21,7 @@ impl Plans {
         lanes: usize,
         new: impl FnOnce() -> Plan,
     ) -> Arc<Plan> {
-        let mut plans = self.known.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut plans = self.plans.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(plan) = plans.iter().find(|plan| plan.order == order && plan.lanes == lanes) {
             return Arc::clone(plan);
         }

@@ -89,15 +89,15 @@ impl Recorder {
     }
 
     /// The initial value of a slot.
-    fn found(&self, place: usize) -> Recorded {
-        let value = self.push(Arithmetic::Place(place));
-        self.places.borrow_mut()[value] = Some(place);
+    fn initial(&self, slot: usize) -> Recorded {
+        let value = self.push(Arithmetic::Place(slot));
+        self.places.borrow_mut()[value] = Some(slot);
         value
     }
 
-    fn keep(&self, value: Recorded, place: usize) {
-        self.push(Arithmetic::Keep { value, place });
-        self.places.borrow_mut()[value] = Some(place);
+    fn keep(&self, value: Recorded, slot: usize) {
+        self.push(Arithmetic::Keep { value, slot });
+        self.places.borrow_mut()[value] = Some(slot);
     }
 
     /// The first slot of values in consecutive slots; `None` if they are not consecutive.
@@ -221,7 +221,7 @@ struct Recording {
 impl Recording {
     fn new(rows: usize, terms: usize) -> Self {
         let recorder = Recorder::default();
-        let values = (0..rows * terms).map(|slot| recorder.found(slot)).collect();
+        let values = (0..rows * terms).map(|slot| recorder.initial(slot)).collect();
         Self { recorder, values, terms }
     }
 

@@ -135,12 +135,12 @@ impl<const N: usize> Block<N> {
     pub fn start(&mut self, lane: usize, time: f64, state: &[f64]) {
         (self.start[lane], self.end[lane], self.unit[lane]) = (time, time, 1.0);
         for (number, &value) in state.iter().enumerate() {
-            self.place(number, lane, value, 0.0);
+            self.set_component(number, lane, value, 0.0);
         }
     }
 
     /// Sets a state component to a value in two words.
-    pub(in crate::taylor) fn place(&mut self, number: usize, lane: usize, high: f64, low: f64) {
+    pub(in crate::taylor) fn set_component(&mut self, number: usize, lane: usize, high: f64, low: f64) {
         let row = self.row(number);
         self[row][0][lane] = high;
         self.low[number][lane] = low;
@@ -148,7 +148,7 @@ impl<const N: usize> Block<N> {
 
     /// Sets a state component to zero.
     pub(in crate::taylor) fn stop(&mut self, number: usize, lane: usize) {
-        self.place(number, lane, 0.0, 0.0);
+        self.set_component(number, lane, 0.0, 0.0);
     }
 
     /// The lengths of the steps.

@@ -43,16 +43,16 @@ const NARROWEST: f64 = f64::EPSILON;
 
 /// A search for zeros by subdivision.
 struct Search<F> {
-    found: F,
+    note: F,
     /// Number of intervals that may still be divided: of rounding errors, in which each interval seems to contain zeros, there are 2⁵².
     divisions: usize,
 }
 
 impl<F: FnMut(f64) -> ControlFlow<f64>> Search<F> {
-    fn new(coefficients: &[f64], found: F) -> Self {
+    fn new(coefficients: &[f64], note: F) -> Self {
         /// Divisions for each zero: 52 lead to neighbouring numbers.
         const DIVISIONS: usize = 64;
-        Self { found, divisions: DIVISIONS * coefficients.len() }
+        Self { note, divisions: DIVISIONS * coefficients.len() }
     }
 
     fn within(&mut self, form: Vec<f64>, from: f64, to: f64) -> ControlFlow<f64> {
@@ -61,12 +61,12 @@ impl<F: FnMut(f64) -> ControlFlow<f64>> Search<F> {
             return ControlFlow::Continue(());
         }
         if to - from <= NARROWEST * to || self.divisions == 0 {
-            return if changes.is_multiple_of(2) { ControlFlow::Continue(()) } else { (self.found)(to) };
+            return if changes.is_multiple_of(2) { ControlFlow::Continue(()) } else { (self.note)(to) };
         }
         if changes == 1
             && let Some(part) = only_zero(&form)
         {
-            return (self.found)(from + part * (to - from));
+            return (self.note)(from + part * (to - from));
         }
         self.divisions -= 1;
         let middle = 0.5 * (from + to);

@@ -94,7 +94,7 @@ pub(in crate::taylor) fn step_lengths<const N: usize>(
         let of_row = log2_radius(&Sizes::new(&block[row], &block[row][0]));
         radius = radius.smaller(&of_row.longer(&[longer; N]));
     }
-    let radius = radius.known();
+    let radius = radius.logarithm();
     lanes(|lane| {
         if radius[lane] == f64::INFINITY {
             f64::INFINITY
@@ -149,7 +149,7 @@ impl<const N: usize> Log2Radius<N> {
     }
 
     #[inline(always)]
-    fn known(&self) -> [f64; N] {
+    fn logarithm(&self) -> [f64; N] {
         lanes(
             |lane| {
                 if self.of_sizes[lane] < f64::INFINITY { self.of_sizes[lane] } else { self.of_nothing[lane] }

@@ -53,12 +53,14 @@ pub(in crate::taylor) fn own_tolerances(
 
 /// The effort with the smallest of all tolerances, and the allowed error of each state component.
 pub(in crate::taylor) fn allowances(
-    own: &[f64],
+    tolerances: &[f64],
     layout: &StateLayout,
     effort: &Effort,
 ) -> (Effort, Vec<Allowance>) {
-    let relative = |coordinate: usize| if own[coordinate] > 0.0 { own[coordinate] } else { effort.relative };
-    let least = (0..own.len()).map(relative).fold(f64::INFINITY, f64::min);
+    let relative = |coordinate: usize| {
+        if tolerances[coordinate] > 0.0 { tolerances[coordinate] } else { effort.relative }
+    };
+    let least = (0..tolerances.len()).map(relative).fold(f64::INFINITY, f64::min);
     let least = if least.is_finite() { least } else { effort.relative };
     let tightest = Effort { relative: least, ..*effort };
     let allowance = |coordinate: usize| {
@@ -67,6 +69,7 @@ pub(in crate::taylor) fn allowances(
         Allowance { relative, log2_longer, weight: least.max(ROUNDING) / relative.max(ROUNDING) }
     };
     let coordinates = (0..layout.coordinates()).map(allowance);
-    let velocities = (0..layout.coordinates()).filter(|it| layout.velocity(*it).is_some()).map(allowance);
+    let velocities =
+        (0..layout.coordinates()).filter(|coordinate| layout.velocity(*coordinate).is_some()).map(allowance);
     (tightest, coordinates.chain(velocities).collect())
 }
