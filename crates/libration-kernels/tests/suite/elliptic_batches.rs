@@ -56,11 +56,11 @@ fn batches_of_complete_integrals_and_nomes_equal_the_scalar_functions_bit_for_bi
     ];
     for (batch, function) in functions {
         for (moduli, scalar) in kinds(&values) {
-            let mut found = vec![0.0; values.len()];
-            batch(moduli, &mut found).unwrap();
-            for (value, found) in values.iter().zip(found) {
+            let mut computed = vec![0.0; values.len()];
+            batch(moduli, &mut computed).unwrap();
+            for (value, computed) in values.iter().zip(computed) {
                 let expected = scalar(*value).map_or(f64::NAN, |modulus| function(&modulus));
-                assert!(same(found, expected), "{value:?}: {found:?} {expected:?}");
+                assert!(same(computed, expected), "{value:?}: {computed:?} {expected:?}");
             }
         }
     }
@@ -98,8 +98,13 @@ fn batch_of_jacobi_functions_equals_the_scalar_function_bit_for_bit() {
             let expected = scalar(values[i]).map(|modulus| modulus.jacobi(arguments[i]));
             let expected = expected
                 .map_or([f64::NAN; 4], |expected| [expected.sn, expected.cn, expected.dn, expected.am]);
-            for (found, expected) in [sn[i], cn[i], dn[i], am[i]].into_iter().zip(expected) {
-                assert!(same(found, expected), "{} {}: {found:?} {expected:?}", values[i], arguments[i]);
+            for (computed, expected) in [sn[i], cn[i], dn[i], am[i]].into_iter().zip(expected) {
+                assert!(
+                    same(computed, expected),
+                    "{} {}: {computed:?} {expected:?}",
+                    values[i],
+                    arguments[i]
+                );
             }
         }
     }
@@ -115,11 +120,11 @@ fn one_modulus_for_many_arguments_then_another_equals_the_scalar_function() {
         let results = JacobiSlices { sn: &mut sn, cn: &mut cn, dn: &mut dn, am: &mut am };
         jacobi_functions(&arguments, Moduli::Parameters(&values), results).unwrap();
         for i in 0..300 {
-            let expected = Modulus::from_parameter(values[i]).map(|it| it.jacobi(arguments[i]));
+            let expected = Modulus::from_parameter(values[i]).map(|modulus| modulus.jacobi(arguments[i]));
             let expected = expected
                 .map_or([f64::NAN; 4], |expected| [expected.sn, expected.cn, expected.dn, expected.am]);
-            for (found, expected) in [sn[i], cn[i], dn[i], am[i]].into_iter().zip(expected) {
-                assert!(same(found, expected), "{pair:?} {i}: {found:?} {expected:?}");
+            for (computed, expected) in [sn[i], cn[i], dn[i], am[i]].into_iter().zip(expected) {
+                assert!(same(computed, expected), "{pair:?} {i}: {computed:?} {expected:?}");
             }
         }
     }
@@ -148,11 +153,11 @@ fn short_batches_equal_parts_of_long_ones() {
                 assert!(long.iter().zip(&short).all(|(long, short)| same(*long, *short)), "{index} {count}");
             };
             for batch in of_moduli {
-                all(&|range, found| batch(kinds(&values[range])[index].0, found).unwrap());
+                all(&|range, computed| batch(kinds(&values[range])[index].0, computed).unwrap());
             }
             for batch in of_angles {
-                let of = |range: std::ops::Range<usize>, found: &mut [f64]| {
-                    batch(&angles[range.clone()], kinds(&values[range])[index].0, found).unwrap();
+                let of = |range: std::ops::Range<usize>, computed: &mut [f64]| {
+                    batch(&angles[range.clone()], kinds(&values[range])[index].0, computed).unwrap();
                 };
                 all(&of);
             }
@@ -187,11 +192,11 @@ fn batches_of_incomplete_integrals_equal_the_scalar_functions_bit_for_bit() {
     ];
     for (batch, function) in functions {
         for (kind, (moduli, scalar)) in kinds(&values).into_iter().enumerate() {
-            let mut found = vec![0.0; values.len()];
-            batch(&angles, moduli, &mut found).unwrap();
-            for ((value, angle), found) in values.iter().zip(&angles).zip(found) {
+            let mut computed = vec![0.0; values.len()];
+            batch(&angles, moduli, &mut computed).unwrap();
+            for ((value, angle), computed) in values.iter().zip(&angles).zip(computed) {
                 let expected = scalar(*value).map_or(f64::NAN, |modulus| function(&modulus, *angle));
-                assert!(same(found, expected), "{value:?} {angle:?}: {found:?} {expected:?}");
+                assert!(same(computed, expected), "{value:?} {angle:?}: {computed:?} {expected:?}");
                 let mut alone = [7.0];
                 batch(&[*angle], kinds(&[*value])[kind].0, &mut alone).unwrap();
                 assert!(same(alone[0], expected), "{value:?} {angle:?} alone: {alone:?} {expected:?}");
@@ -204,17 +209,17 @@ fn batches_of_incomplete_integrals_equal_the_scalar_functions_bit_for_bit() {
 fn batches_of_every_length_are_filled_to_their_end() {
     for length in [0, 1, 7, 8, 9, 63, 64, 65, 129] {
         let values: Vec<f64> = (0..length).map(|i| f64::from(i) / 128.0).collect();
-        let mut found = vec![0.0; values.len()];
-        complete_firsts(Moduli::Parameters(&values), &mut found).unwrap();
-        for (value, found) in values.iter().zip(&found) {
+        let mut computed = vec![0.0; values.len()];
+        complete_firsts(Moduli::Parameters(&values), &mut computed).unwrap();
+        for (value, computed) in values.iter().zip(&computed) {
             let expected = Modulus::from_parameter(*value).map_or(f64::NAN, |modulus| modulus.first());
-            assert!(same(*found, expected), "{length}: {value}");
+            assert!(same(*computed, expected), "{length}: {value}");
         }
-        incomplete_firsts(&values, Moduli::Parameters(&values), &mut found).unwrap();
-        for (value, found) in values.iter().zip(&found) {
+        incomplete_firsts(&values, Moduli::Parameters(&values), &mut computed).unwrap();
+        for (value, computed) in values.iter().zip(&computed) {
             let modulus = Modulus::from_parameter(*value);
             let expected = modulus.map_or(f64::NAN, |modulus| modulus.incomplete_first(*value));
-            assert!(same(*found, expected), "{length}: {value}");
+            assert!(same(*computed, expected), "{length}: {value}");
         }
         let [mut sn, mut cn, mut dn, mut am] = [(); 4].map(|()| vec![0.0; values.len()]);
         let results = JacobiSlices { sn: &mut sn, cn: &mut cn, dn: &mut dn, am: &mut am };
@@ -242,7 +247,7 @@ fn batches_refuse_slices_of_different_lengths() {
         let length = |slice: usize| if slice == short { 2 } else { 3 };
         let [mut sn, mut cn, mut dn, mut am] = [0, 1, 2, 3].map(|slice| vec![0.0; length(slice)]);
         let results = JacobiSlices { sn: &mut sn, cn: &mut cn, dn: &mut dn, am: &mut am };
-        let found = jacobi_functions(&values, Moduli::Moduli(&values[..length(4)]), results);
-        assert_eq!(found, refused(3, 2), "{short}");
+        let outcome = jacobi_functions(&values, Moduli::Moduli(&values[..length(4)]), results);
+        assert_eq!(outcome, refused(3, 2), "{short}");
     }
 }

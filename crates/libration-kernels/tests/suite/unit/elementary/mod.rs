@@ -224,7 +224,7 @@ fn the_two_word_arctangent_has_the_sine_and_cosine_of_its_point() {
             let hi = value.to_f64();
             DoubleDouble::new(hi, (value.clone() - word(hi)).to_f64())
         };
-        let found = two_word::atan2(words(&sin), words(&cos));
-        assert!(((found - angle).to_f64() / angle.hi).abs() < bound, "{angle:?} {found:?}");
+        let computed = two_word::atan2(words(&sin), words(&cos));
+        assert!(((computed - angle).to_f64() / angle.hi).abs() < bound, "{angle:?} {computed:?}");
     }
 }

@@ -27,9 +27,9 @@ fn exact(complementary: &BigFloat) -> [BigFloat; 2] {
 }
 
 /// The error in units in the last place of the truth.
-fn error(found: f64, truth: &BigFloat) -> f64 {
+fn error(computed: f64, truth: &BigFloat) -> f64 {
     let nearest = truth.to_f64();
-    ((word(found) - truth.clone()) / word(nearest.next_up() - nearest)).to_f64().abs()
+    ((word(computed) - truth.clone()) / word(nearest.next_up() - nearest)).to_f64().abs()
 }
 
 fn worst(nearer: &Nearer, p: BigFloat) -> f64 {
@@ -82,9 +82,9 @@ fn the_second_word_of_the_parameter_counts() {
 #[test]
 fn ends_have_their_limits() {
     let [bottom, top] = [Nearer::from_parameter(0.0), Nearer::from_parameter(1.0)];
-    let found = [first(&bottom), second(&bottom), first(&top), second(&top)].map(f64::to_bits);
+    let computed = [first(&bottom), second(&bottom), first(&top), second(&top)].map(f64::to_bits);
     let right = std::f64::consts::FRAC_PI_2;
-    assert_eq!(found, [right, right, f64::INFINITY, 1.0].map(f64::to_bits));
+    assert_eq!(computed, [right, right, f64::INFINITY, 1.0].map(f64::to_bits));
     // The parameter is below the smallest number but the modulus is not: ln 4 + 170·ln 10.
     let small = DoubleDouble::from(1e-170);
     let next_to_top = Nearer::from_words(DoubleDouble::ONE, small);

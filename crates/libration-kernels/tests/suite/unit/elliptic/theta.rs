@@ -22,8 +22,8 @@ fn the_values_at_zero_are_those_of_more_terms() {
     for q in [1e-3, 0.01, 0.03, libm::exp(-std::f64::consts::PI)] {
         let (series, exact) = (ThetaSeries::new(q), ThetaZero::in_two_words(DoubleDouble::from(q)));
         let pairs = [(series.second_at_zero(), exact.second), (series.fourth_at_zero(), exact.fourth)];
-        for (own, exact) in pairs {
-            assert!((own - exact).to_f64().abs() <= 4.0 * q * f64::EPSILON, "{q}");
+        for (value, exact) in pairs {
+            assert!((value - exact).to_f64().abs() <= 4.0 * q * f64::EPSILON, "{q}");
         }
     }
 }
