@@ -279,8 +279,8 @@ fn harmonics_keep_their_promise_on_the_golden_table() {
         };
         if truth.hi.abs() >= 1e-12 {
             let harmonics = motion.unwrap().harmonics(1e-13, 10_000);
-            let found = harmonics.terms.iter().find(|term| term.n == n).unwrap();
-            HARMONICS.holds(truth.error(found.angle), &(regime, value, n));
+            let computed = harmonics.terms.iter().find(|term| term.n == n).unwrap();
+            HARMONICS.holds(truth.error(computed.angle), &(regime, value, n));
             assert!(
                 row.truth("fundamental").error(harmonics.fundamental) <= 2.0,
                 "fundamental of {regime} {value}"

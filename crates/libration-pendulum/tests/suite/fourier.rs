@@ -20,7 +20,7 @@ fn rotation(velocity: f64) -> Motion {
 /// The sum of the harmonics at `time`, counted from the positive turning point (cos) or from the bottom (sin).
 fn sum(harmonics: &FourierSeries, time: f64, periodic: fn(f64) -> f64) -> f64 {
     let term = |n: usize| f64::from(u32::try_from(n).unwrap()) * harmonics.fundamental * time;
-    let terms = harmonics.terms.iter().map(|it| it.angle * periodic(term(it.n)));
+    let terms = harmonics.terms.iter().map(|harmonic| harmonic.angle * periodic(term(harmonic.n)));
     harmonics.mean_velocity * time + terms.sum::<f64>()
 }
 
@@ -55,8 +55,8 @@ fn harmonics_of_any_motion_sum_to_it_from_their_epoch() {
         let motion = unit_pendulum().launched(Angle::from_radians(angle).unwrap(), velocity).unwrap();
         if motion.regime() == Regime::Libration && motion.energy_ratio() < 0.999 {
             let harmonics = motion.harmonics(1e-17, 1000);
-            let found = sum(&harmonics, time - harmonics.epoch, libm::cos);
-            assert!((found - motion.state_at(time).angle).abs() <= 1e-12, "{angle} {velocity} {time}");
+            let computed = sum(&harmonics, time - harmonics.epoch, libm::cos);
+            assert!((computed - motion.state_at(time).angle).abs() <= 1e-12, "{angle} {velocity} {time}");
         }
     }
 }
@@ -132,9 +132,9 @@ fn where_one(low: f64, high: f64, of: impl Fn(&FourierSeries) -> f64) -> f64 {
 /// The reference values come from the same 50-digit root finding as the other claims of `tests/data/formulas_claims.csv`.
 #[test]
 fn the_third_harmonic_is_not_small_next_to_the_top() {
-    let tenth = where_one(2.0, 3.0, |it| it.terms[1].angle.abs() / 0.1);
+    let tenth = where_one(2.0, 3.0, |series| series.terms[1].angle.abs() / 0.1);
     assert!((tenth - 2.31510063692584016183797860615).abs() < 1e-12, "{tenth}");
-    let product = where_one(2.0, 3.1, |it| (it.terms[0].angle * it.terms[1].angle).abs());
+    let product = where_one(2.0, 3.1, |series| (series.terms[0].angle * series.terms[1].angle).abs());
     assert!((product - 2.89776545350273670491012503848).abs() < 1e-12, "{product}");
 }
 

@@ -431,12 +431,12 @@ fn states_are_on_the_orbit_until_their_phase_is_lost() {
                 let state = motion.state_at(time);
                 assert_on_orbit_or_unknown(&motion, &state, frequency, time);
                 assert_on_orbit_or_unknown(&motion, &prepared.state_at(time), frequency, time);
-                for place in [0, 70] {
+                for index in [0, 70] {
                     let mut times = [0.0; 71];
-                    times[place] = time;
+                    times[index] = time;
                     let (mut angles, mut velocities) = ([0.0; 71], [0.0; 71]);
                     motion.states_at(&times, &mut angles, &mut velocities).unwrap();
-                    let (got, expected) = ([angles[place], velocities[place]], [state.angle, state.velocity]);
+                    let (got, expected) = ([angles[index], velocities[index]], [state.angle, state.velocity]);
                     assert_eq!(got.map(bits), expected.map(bits), "{frequency} {angle} {velocity} {time}");
                 }
             }
@@ -450,11 +450,11 @@ fn a_released_pendulum_is_known_to_two_to_the_forty_nine_periods() {
     let period =
         Pendulum::from_angular_frequency(frequency).unwrap().released_from(radians(amplitude)).unwrap();
     let seam = libm::exp2(49.0) * period.period();
-    for (time, known) in [(seam * (1.0 - 1e-14), true), (seam * (1.0 + 1e-14), false), (-1e30, false)] {
+    for (time, is_known) in [(seam * (1.0 - 1e-14), true), (seam * (1.0 + 1e-14), false), (-1e30, false)] {
         let state = pendulum::state(amplitude, frequency, time);
-        assert_eq!(state.angle.is_nan(), !known, "{time}: {state:?}");
-        assert_eq!(state.velocity.is_nan(), !known, "{time}: {state:?}");
-        assert!(!known || state.angle.abs() <= amplitude, "{time}: {state:?}");
+        assert_eq!(state.angle.is_nan(), !is_known, "{time}: {state:?}");
+        assert_eq!(state.velocity.is_nan(), !is_known, "{time}: {state:?}");
+        assert!(!is_known || state.angle.abs() <= amplitude, "{time}: {state:?}");
         let (mut angles, mut velocities) = ([0.0; 80], [0.0; 80]);
         pendulum::states(&[amplitude; 80], frequency, &[time; 80], &mut angles, &mut velocities).unwrap();
         assert_eq!(angles.map(bits), [bits(state.angle); 80], "{time}");

@@ -91,10 +91,10 @@ fn batch_of_periods_equals_the_single_call_bit_for_bit() {
     for (batch, single) in pairs {
         for count in [inputs.len(), 17, 16, 9, 8, 7, 3, 1, 0] {
             let slice = &inputs[inputs.len() - count..];
-            let mut found = vec![0.0; count];
-            batch(slice, &mut found).unwrap();
-            for (&input, &found) in slice.iter().zip(&found) {
-                assert_eq!(found.to_bits(), single(input).to_bits(), "{input}");
+            let mut computed = vec![0.0; count];
+            batch(slice, &mut computed).unwrap();
+            for (&input, &computed) in slice.iter().zip(&computed) {
+                assert_eq!(computed.to_bits(), single(input).to_bits(), "{input}");
             }
         }
     }
@@ -284,7 +284,7 @@ fn what_belongs_to_a_period_is_what_each_method_says_bit_for_bit() {
     let pendulum = Pendulum::new(0.7, 9.81).unwrap();
     for amplitude in seams_and_2000_amplitudes() {
         let swing = pendulum.swing_period(&amplitude);
-        let found = [swing.period, swing.ratio, swing.excess, swing.nome, swing.condition];
+        let computed = [swing.period, swing.ratio, swing.excess, swing.nome, swing.condition];
         let expected = [
             pendulum.period(&amplitude),
             amplitude.period_ratio(),
@@ -292,7 +292,7 @@ fn what_belongs_to_a_period_is_what_each_method_says_bit_for_bit() {
             amplitude.nome(),
             amplitude.condition(),
         ];
-        assert_eq!(found.map(f64::to_bits), expected.map(f64::to_bits), "{amplitude:?}");
+        assert_eq!(computed.map(f64::to_bits), expected.map(f64::to_bits), "{amplitude:?}");
         // The nome of the modulus agrees where its complement is a normal number.
         if amplitude.complement() > 1e-300 {
             assert_eq!(swing.nome.to_bits(), amplitude.modulus().nome().to_bits(), "{amplitude:?}");
@@ -310,11 +310,11 @@ fn what_belongs_to_many_periods_is_what_belongs_to_each_bit_for_bit() {
         // Blocks of every length, with amplitudes that are not regular at any position.
         for length in (0..200).chain([amplitudes.len()]) {
             let amplitudes = &amplitudes[..length];
-            let mut found = vec![SwingPeriod::default(); length];
-            pendulum.swing_periods(amplitudes, &mut found).unwrap();
-            for (amplitude, found) in amplitudes.iter().zip(&found) {
+            let mut computed = vec![SwingPeriod::default(); length];
+            pendulum.swing_periods(amplitudes, &mut computed).unwrap();
+            for (amplitude, computed) in amplitudes.iter().zip(&computed) {
                 let alone = pendulum.swing_period(amplitude);
-                assert_eq!(bits(found), bits(&alone), "{amplitude:?}: {found:?} {alone:?}");
+                assert_eq!(bits(computed), bits(&alone), "{amplitude:?}: {computed:?} {alone:?}");
             }
         }
     }

@@ -23,13 +23,13 @@ fn degrees(value: f64) -> Angle {
     Angle::from_degrees(value).unwrap()
 }
 
-fn relative(found: f64, expected: f64) -> f64 {
-    if found == expected { 0.0 } else { ((found - expected) / expected).abs() }
+fn relative(computed: f64, expected: f64) -> f64 {
+    if computed == expected { 0.0 } else { ((computed - expected) / expected).abs() }
 }
 
 static TABLE: LazyLock<ErrorTable> = LazyLock::new(|| ErrorTable::new(catalogue(), &Quiet).unwrap());
 
-fn place(key: &str) -> usize {
+fn index_of(key: &str) -> usize {
     TABLE.formulas().position(|formula| formula.key() == key).unwrap()
 }
 
@@ -37,9 +37,9 @@ fn place(key: &str) -> usize {
 fn fractional_errors_equal_those_of_3200_digits() {
     for row in rows(include_str!("../../../libration-testing/data/formulas_errors.csv")) {
         let amplitude = Angle::from_radians(row[0].parse().unwrap()).unwrap();
-        let found = formula(row[1]).fractional_error(&amplitude);
+        let computed = formula(row[1]).fractional_error(&amplitude);
         let expected: f64 = row[3].parse().unwrap();
-        assert!(relative(found, expected) < f64::EPSILON, "{row:?}: {found:e}");
+        assert!(relative(computed, expected) < f64::EPSILON, "{row:?}: {computed:e}");
     }
 }
 
@@ -47,9 +47,9 @@ fn fractional_errors_equal_those_of_3200_digits() {
 fn ratios_in_plain_f64_are_good_to_a_few_ulp() {
     for row in rows(include_str!("../../../libration-testing/data/formulas_errors.csv")) {
         let (amplitude, expected): (f64, f64) = (row[0].parse().unwrap(), row[2].parse().unwrap());
-        let found = formula(row[1]).period_ratio_at(amplitude);
-        assert!(relative(found, expected) < 2e-15, "{row:?}: {found:e}");
-        assert_eq!(found, formula(row[1]).period_ratio(&Angle::from_radians(amplitude).unwrap()));
+        let computed = formula(row[1]).period_ratio_at(amplitude);
+        assert!(relative(computed, expected) < 2e-15, "{row:?}: {computed:e}");
+        assert_eq!(computed, formula(row[1]).period_ratio(&Angle::from_radians(amplitude).unwrap()));
     }
 }
 
@@ -66,18 +66,18 @@ fn quotients_of_errors_equal_the_published_ones() {
 /// The amplitudes of the search for one row of the claims.
 fn searched(row: &[&str]) -> Vec<f64> {
     match row[0] {
-        "zero" => TABLE.amplitudes_where_exact(place(row[1])).iter().map(Angle::radians).collect(),
+        "zero" => TABLE.amplitudes_where_exact(index_of(row[1])).iter().map(Angle::radians).collect(),
         "tolerance" => {
-            let intervals = TABLE.holds_on(place(row[1]), row[3].parse().unwrap());
+            let intervals = TABLE.holds_on(index_of(row[1]), row[3].parse().unwrap());
             intervals.into_iter().flat_map(|(from, to)| [from, to]).collect()
         }
         "crossover" => {
-            let crossovers = TABLE.crossovers(place(row[1]), place(row[2]));
+            let crossovers = TABLE.crossovers(index_of(row[1]), index_of(row[2]));
             crossovers.iter().map(|crossover| crossover.amplitude.radians()).collect()
         }
         _ => {
             let factor = row[3].parse().unwrap();
-            let places = TABLE.amplitudes_where_ratio_of_errors(place(row[1]), place(row[2]), factor);
+            let places = TABLE.amplitudes_where_ratio_of_errors(index_of(row[1]), index_of(row[2]), factor);
             places.iter().map(Angle::radians).collect()
         }
     }
@@ -87,19 +87,20 @@ fn searched(row: &[&str]) -> Vec<f64> {
 fn every_claimed_amplitude_is_found_by_the_search() {
     for row in rows(include_str!("../../../libration-testing/data/formulas_claims.csv")) {
         let expected: f64 = row[4].parse().unwrap();
-        let found = searched(&row);
-        let nearest = found.iter().map(|found| (found - expected).abs()).fold(f64::INFINITY, f64::min);
-        assert!(nearest < 1e-13, "{row:?}: {found:?}");
+        let amplitudes = searched(&row);
+        let nearest =
+            amplitudes.iter().map(|amplitude| (amplitude - expected).abs()).fold(f64::INFINITY, f64::min);
+        assert!(nearest < 1e-13, "{row:?}: {amplitudes:?}");
     }
 }
 
 #[test]
 fn tolerances_hold_up_to_the_claimed_amplitudes() {
-    assert!((TABLE.holds_to(place("denman"), 1e-3).to_degrees() - 77.785507775387).abs() < 1e-10);
-    assert_eq!(TABLE.holds_on(place("denman"), 1e-3).len(), 2);
-    assert_eq!(TABLE.holds_to(place("butikov"), 1e-3), 0.0);
-    assert_eq!(TABLE.holds_on(place("butikov"), 1e-3).last().unwrap().1, std::f64::consts::PI);
-    assert_eq!(TABLE.holds_to(place("chachiyo"), 0.002), std::f64::consts::PI);
+    assert!((TABLE.holds_to(index_of("denman"), 1e-3).to_degrees() - 77.785507775387).abs() < 1e-10);
+    assert_eq!(TABLE.holds_on(index_of("denman"), 1e-3).len(), 2);
+    assert_eq!(TABLE.holds_to(index_of("butikov"), 1e-3), 0.0);
+    assert_eq!(TABLE.holds_on(index_of("butikov"), 1e-3).last().unwrap().1, std::f64::consts::PI);
+    assert_eq!(TABLE.holds_to(index_of("chachiyo"), 0.002), std::f64::consts::PI);
 }
 
 #[test]
@@ -313,9 +314,9 @@ fn errors_that_share_the_exact_period_are_those_of_each_formula_alone() {
 
 #[test]
 fn every_key_of_a_formula_finds_it() {
-    for known in catalogue() {
-        for key in known.other_keys() {
-            assert_eq!(formula(key).key(), known.key(), "{key}");
+    for entry in catalogue() {
+        for key in entry.other_keys() {
+            assert_eq!(formula(key).key(), entry.key(), "{key}");
         }
     }
     assert_eq!(formula("carvalhaes_suppes").other_keys(), ["agm_a2", "ingham"]);
@@ -323,18 +324,18 @@ fn every_key_of_a_formula_finds_it() {
 
 #[test]
 fn what_rests_on_memory_says_so_in_its_source() {
-    for known in catalogue() {
-        let by_word = known.source().contains("attributed to");
-        assert_eq!(known.attribution() == Attribution::Attributed, by_word, "{}", known.key());
+    for entry in catalogue() {
+        let by_word = entry.source().contains("attributed to");
+        assert_eq!(entry.attribution() == Attribution::Attributed, by_word, "{}", entry.key());
     }
 }
 
 #[test]
 fn a_formula_that_ends_below_the_top_has_no_error_from_there_on() {
-    for known in catalogue() {
-        let end = known.defined_below();
-        assert!(known.fractional_error_at(end.next_down()).is_finite(), "{}", known.key());
-        assert_eq!(end < core::f64::consts::PI, known.key() == "cubic_force", "{}", known.key());
+    for entry in catalogue() {
+        let end = entry.defined_below();
+        assert!(entry.fractional_error_at(end.next_down()).is_finite(), "{}", entry.key());
+        assert_eq!(end < core::f64::consts::PI, entry.key() == "cubic_force", "{}", entry.key());
     }
     assert!(formula("cubic_force").fractional_error_at(2.83).is_infinite());
 }
@@ -342,9 +343,10 @@ fn a_formula_that_ends_below_the_top_has_no_error_from_there_on() {
 #[test]
 fn two_formulas_cross_where_the_table_says() {
     let (one, other) = (formula("bernoulli"), formula("kidd_fogg"));
-    let alone: Vec<f64> = one.crossovers_with(&other).iter().map(|it| it.amplitude.radians()).collect();
-    let in_table = TABLE.crossovers(place("bernoulli"), place("kidd_fogg"));
-    assert_eq!(alone, in_table.iter().map(|it| it.amplitude.radians()).collect::<Vec<_>>());
+    let alone: Vec<f64> =
+        one.crossovers_with(&other).iter().map(|crossover| crossover.amplitude.radians()).collect();
+    let in_table = TABLE.crossovers(index_of("bernoulli"), index_of("kidd_fogg"));
+    assert_eq!(alone, in_table.iter().map(|crossover| crossover.amplitude.radians()).collect::<Vec<_>>());
     for amplitude in alone {
         let (a, b) = (one.fractional_error_at(amplitude), other.fractional_error_at(amplitude));
         assert!((a.abs() / b.abs() - 1.0).abs() < 1e-9, "{amplitude}: {a} {b}");

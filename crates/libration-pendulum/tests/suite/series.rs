@@ -54,8 +54,8 @@ fn cotangent_series(length: usize) -> Vec<Rational> {
     };
     let mut series: Vec<Rational> = Vec::new();
     for n in 0..length {
-        let known = (0..n).map(|j| series[j].clone() * signed(n - j, 2 * (n - j) + 1));
-        series.push(known.fold(signed(n, 2 * n), |rest, term| rest - term));
+        let terms = (0..n).map(|j| series[j].clone() * signed(n - j, 2 * (n - j) + 1));
+        series.push(terms.fold(signed(n, 2 * n), |rest, term| rest - term));
     }
     series
 }
@@ -67,9 +67,9 @@ fn period_series_satisfies_the_legendre_equation_to_the_200th_correction() {
     let series = period_in_amplitude(corrections);
     let cotangent = cotangent_series(corrections);
     for n in 1..=corrections {
-        let known =
+        let terms =
             (1..n).map(|j| fraction(2 * index(n - j), 1) * cotangent[j].clone() * series[n - j].clone());
-        let right = known.fold(fraction(1, 4) * series[n - 1].clone(), |rest, term| rest - term);
+        let right = terms.fold(fraction(1, 4) * series[n - 1].clone(), |rest, term| rest - term);
         assert_eq!(fraction(4 * index(n) * index(n), 1) * series[n].clone(), right, "n = {n}");
     }
 }

@@ -264,8 +264,9 @@ fn harmonics() {
             #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a number below 60")]
             let n = record.inputs[2] as usize;
             let harmonics = motion.unwrap().harmonics(0.0, n);
-            let found = harmonics.terms.iter().find(|term| term.n == n).map_or(f64::NAN, |term| term.angle);
-            tally.add(&record, "a_n", truth, found, 0.0);
+            let computed =
+                harmonics.terms.iter().find(|term| term.n == n).map_or(f64::NAN, |term| term.angle);
+            tally.add(&record, "a_n", truth, computed, 0.0);
         }
     }
     tally.report();

@@ -13,12 +13,13 @@ fn amplitudes() -> Vec<f64> {
 fn periods_are_those_of_the_pendulum() {
     let pendulum = Pendulum::new(0.994, 9.81).unwrap();
     for amplitude in amplitudes() {
-        let found = period(amplitude, 0.994, 9.81);
+        let computed = period(amplitude, 0.994, 9.81);
         let angle = Angle::from_radians(amplitude).ok();
-        let truth = angle.and_then(|angle| Amplitude::new(angle).ok()).map(|it| pendulum.period(&it));
+        let truth =
+            angle.and_then(|angle| Amplitude::new(angle).ok()).map(|amplitude| pendulum.period(&amplitude));
         match truth {
-            Some(truth) => assert!((found / truth - 1.0).abs() <= f64::EPSILON, "{amplitude}"),
-            None => assert!(found.is_nan(), "{amplitude}"),
+            Some(truth) => assert!((computed / truth - 1.0).abs() <= f64::EPSILON, "{amplitude}"),
+            None => assert!(computed.is_nan(), "{amplitude}"),
         }
     }
 }
@@ -28,13 +29,13 @@ fn each_period_is_that_of_one_pendulum_bit_for_bit() {
     let amplitudes = amplitudes();
     let lengths: Vec<f64> = (0..amplitudes.len()).map(|i| [0.5, 0.5, 2.0, -1.0][i % 4]).collect();
     let gravities: Vec<f64> = (0..amplitudes.len()).map(|i| [9.81, 1e-300, f64::NAN][i % 3]).collect();
-    let mut found = vec![0.0; amplitudes.len()];
-    periods(&amplitudes, &lengths, &gravities, &mut found).unwrap();
-    for (i, found) in found.iter().enumerate() {
+    let mut computed = vec![0.0; amplitudes.len()];
+    periods(&amplitudes, &lengths, &gravities, &mut computed).unwrap();
+    for (i, computed) in computed.iter().enumerate() {
         let one = period(amplitudes[i], lengths[i], gravities[i]);
-        assert_eq!(found.to_bits(), one.to_bits(), "{} {} {}", amplitudes[i], lengths[i], gravities[i]);
+        assert_eq!(computed.to_bits(), one.to_bits(), "{} {} {}", amplitudes[i], lengths[i], gravities[i]);
     }
-    assert!(periods(&amplitudes, &lengths[1..], &gravities, &mut found).is_err());
+    assert!(periods(&amplitudes, &lengths[1..], &gravities, &mut computed).is_err());
 }
 
 #[test]

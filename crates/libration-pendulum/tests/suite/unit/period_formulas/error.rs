@@ -71,7 +71,7 @@ fn a_block_finds_what_one_amplitude_finds() {
     let seams = beside(NEAREST_BOTTOM).map(SwingAmplitude::FromBottom);
     let seams = seams.into_iter().chain(beside(NEAREST_TOP).map(SwingAmplitude::FromTop));
     let all: Vec<_> = seams.chain(amplitudes()).map(Some).chain([None, None]).collect();
-    let (mut found, mut outside) = (0, 0);
+    let (mut inside, mut outside) = (0, 0);
     for seed in 0..7 {
         let start = all.iter().cycle().skip(seed).step_by(1 + 10 * seed).copied();
         for count in [1, 2, BLOCK - 1, BLOCK] {
@@ -79,15 +79,16 @@ fn a_block_finds_what_one_amplitude_finds() {
             for (amplitude, quick) in block.iter().zip(Quick::block(&block)) {
                 let one = amplitude.and_then(Quick::new);
                 assert_eq!(one.map(words), quick.map(words), "{amplitude:?}");
-                found += usize::from(quick.is_some());
+                inside += usize::from(quick.is_some());
                 outside += usize::from(quick.is_none());
             }
         }
     }
-    assert!(found > 700 && outside > 7, "{found}, {outside}");
+    assert!(inside > 700 && outside > 7, "{inside}, {outside}");
 }
 
 fn words(quick: Quick) -> [[u64; 2]; 5] {
     let Swing { amplitude, complement, cos_half, sin_half } = quick.swing;
-    [amplitude, complement, cos_half, sin_half, quick.exact].map(|it| [it.hi.to_bits(), it.lo.to_bits()])
+    [amplitude, complement, cos_half, sin_half, quick.exact]
+        .map(|number| [number.hi.to_bits(), number.lo.to_bits()])
 }
