@@ -59,7 +59,8 @@ fn every_module_uses_what_the_map_allows() {
         for (module, allowed) in &section.modules {
             let used = uses.get(module).cloned().unwrap_or_default();
             let is_common = |other: &&String| map.is_mathematics(name) && map.common.contains(other);
-            let secret: Vec<_> = used.iter().filter(|it| !allowed.contains(it) && !is_common(it)).collect();
+            let secret: Vec<_> =
+                used.iter().filter(|module| !allowed.contains(module) && !is_common(module)).collect();
             assert!(
                 secret.is_empty(),
                 "{name}: {module} uses {secret:?}, which crates/modules.toml does not allow"
@@ -75,16 +76,16 @@ fn every_module_uses_what_the_map_allows() {
 
 #[test]
 fn files_beside_each_other_do_not_go_in_circles() {
-    let mut found = BTreeSet::new();
+    let mut circles = BTreeSet::new();
     for section in Map::read().crates {
         for (folder, circle) in circles::circles(&Source::of(&section.name)) {
-            found.insert(format!("{}: {folder}: {}", section.name, circle.join(" ")));
+            circles.insert(format!("{}: {folder}: {}", section.name, circle.join(" ")));
         }
     }
-    let known: BTreeSet<String> = circles::REMAINING.iter().map(|&circle| circle.to_owned()).collect();
-    let new: Vec<_> = found.difference(&known).collect();
+    let remaining: BTreeSet<String> = circles::REMAINING.iter().map(|&circle| circle.to_owned()).collect();
+    let new: Vec<_> = circles.difference(&remaining).collect();
     assert!(new.is_empty(), "circles of files: {new:#?}");
-    let gone: Vec<_> = known.difference(&found).collect();
+    let gone: Vec<_> = remaining.difference(&circles).collect();
     assert!(gone.is_empty(), "no longer circles, to be taken off the list: {gone:#?}");
 }
 
@@ -101,10 +102,10 @@ fn every_file_is_compiled() {
 #[test]
 fn crates_depend_on_those_below_them() {
     let map = Map::read();
-    for (place, section) in map.crates.iter().enumerate() {
+    for (index, section) in map.crates.iter().enumerate() {
         let manifest = std::fs::read_to_string(source::folder(&section.name).join("Cargo.toml")).unwrap();
         let dependencies = manifest.split("[dev-dependencies]").next().unwrap();
-        for above in &map.crates[place..] {
+        for above in &map.crates[index..] {
             let dependency = format!("{}.workspace", above.name);
             assert!(
                 !dependencies.lines().any(|line| line.starts_with(&dependency)),

@@ -44,8 +44,8 @@ impl Map {
 
     /// Returns `true` for a mathematics crate, for which uses of modules of other crates are listed too.
     pub(crate) fn is_mathematics(&self, name: &str) -> bool {
-        let place = |name: &str| self.crates.iter().position(|section| section.name == name).unwrap();
-        (place("libration-kernels")..=place("libration-branches")).contains(&place(name))
+        let index = |name: &str| self.crates.iter().position(|section| section.name == name).unwrap();
+        (index("libration-kernels")..=index("libration-branches")).contains(&index(name))
     }
 }
 

@@ -32,7 +32,7 @@ pub(crate) fn folder(name: &str) -> PathBuf {
 fn rust_files(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     let (folders, files): (Vec<_>, Vec<_>) = entries.partition(|path| path.is_dir());
-    let files = files.into_iter().filter(|path| path.extension().is_some_and(|it| it == "rs"));
+    let files = files.into_iter().filter(|path| path.extension().is_some_and(|extension| extension == "rs"));
     files.chain(folders.iter().flat_map(|folder| rust_files(folder))).collect()
 }
 
@@ -96,7 +96,7 @@ impl Source {
             let declared = |(name, above): (&String, &[String])| {
                 self.files.get(above).is_some_and(|file| file.declared.contains(name))
             };
-            module.split_last().is_some_and(|place| !declared(place))
+            module.split_last().is_some_and(|child| !declared(child))
         })
     }
 
@@ -104,8 +104,8 @@ impl Source {
     pub(crate) fn edges(&self) -> BTreeSet<(Module, Module)> {
         let uses =
             self.files.iter().flat_map(|(module, file)| file.used.iter().map(move |path| (module, path)));
-        let found = uses.filter_map(|(module, path)| Some((module.clone(), self.resolve(module, path, 0)?)));
-        found.filter(|(from, to)| from != to).collect()
+        let edges = uses.filter_map(|(module, path)| Some((module.clone(), self.resolve(module, path, 0)?)));
+        edges.filter(|(from, to)| from != to).collect()
     }
 
     /// Pairs of a file and a module of another mathematics crate from which the file uses an item.
@@ -117,7 +117,7 @@ impl Source {
     /// The file that defines the item at a path in a module; re-exports are followed.
     fn resolve(&self, from: &Module, path: &UsePath, depth: usize) -> Option<Module> {
         const DEEPEST: usize = 20;
-        let (mut place, mut rest) = match path.first()?.as_str() {
+        let (mut module, mut rest) = match path.first()?.as_str() {
             "crate" => (vec![], &path[1..]),
             "self" => (from.clone(), &path[1..]),
             "super" => (from.clone(), &path[..]),
@@ -127,20 +127,20 @@ impl Source {
             }
         };
         while let Some(("super", after)) = rest.split_first().map(|(first, after)| (first.as_str(), after)) {
-            place.pop()?;
+            module.pop()?;
             rest = after;
         }
         while let Some((first, after)) = rest.split_first() {
-            let below: Module = place.iter().cloned().chain([first.clone()]).collect();
+            let below: Module = module.iter().cloned().chain([first.clone()]).collect();
             if !self.files.contains_key(&below) {
                 break;
             }
-            (place, rest) = (below, after);
+            (module, rest) = (below, after);
         }
-        let origin = rest.first().and_then(|name| self.files.get(&place)?.imported.get(name));
+        let origin = rest.first().and_then(|name| self.files.get(&module)?.imported.get(name));
         let further = origin.filter(|origin| depth < DEEPEST && *origin != path);
-        let handed_on = further.and_then(|origin| self.resolve(&place, origin, depth + 1));
-        Some(handed_on.unwrap_or(place))
+        let handed_on = further.and_then(|origin| self.resolve(&module, origin, depth + 1));
+        Some(handed_on.unwrap_or(module))
     }
 }
 
