@@ -11,7 +11,7 @@ const LEAST_SAMPLE: f64 = 3.0;
 /// Half the length of the caps of an error bar.
 const CAP: f64 = 0.18;
 
-/// The shapes of a series; `place` maps fractions of the axes to the canvas.
+/// The shapes of a series; `on_canvas` maps fractions of the axes to the canvas.
 pub(crate) fn of_series(
     series: &Series,
     panel: &Panel,

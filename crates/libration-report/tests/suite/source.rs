@@ -14,6 +14,6 @@ fn files(folder: &Path) -> Vec<PathBuf> {
 fn no_test_stands_in_the_source() {
     let files = files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"));
     let with_tests = |path: &&PathBuf| String::from_utf8_lossy(&fs::read(path).unwrap()).contains("#[test]");
-    let found: Vec<_> = files.iter().filter(with_tests).collect();
-    assert!(files.len() > 10 && found.is_empty(), "{found:?}");
+    let offenders: Vec<_> = files.iter().filter(with_tests).collect();
+    assert!(files.len() > 10 && offenders.is_empty(), "{offenders:?}");
 }

@@ -7,7 +7,7 @@ fn labels_of(axis: &Axis, length: f64) -> Vec<String> {
     chosen(axis, length, |label| 8.0 * label.chars().map(|_| 1.0).sum::<f64>())
         .labelled
         .into_iter()
-        .map(|it| it.1)
+        .map(|label| label.1)
         .collect()
 }
 
@@ -31,7 +31,7 @@ fn powers_of_ten_have_minor_ticks_between_them() {
     let axis = Axis::logarithmic("", 1e-3, 10.0);
     let ticks = chosen(&axis, 400.0, |_| 20.0);
     assert_eq!(
-        ticks.labelled.iter().map(|it| it.1.as_str()).collect::<Vec<_>>(),
+        ticks.labelled.iter().map(|label| label.1.as_str()).collect::<Vec<_>>(),
         ["10⁻³", "10⁻²", "10⁻¹", "10⁰", "10¹"]
     );
     assert_eq!(ticks.minor.len(), 4 * 8);
@@ -57,7 +57,7 @@ fn every_axis_has_two_ticks() {
                 !all.is_empty() && all.iter().all(|ticks| ticks.labelled.len() >= 2),
                 "{from} {to} {units:?}: {all:?}"
             );
-            let parts = all.iter().flat_map(|ticks| &ticks.labelled).map(|it| it.0);
+            let parts = all.iter().flat_map(|ticks| &ticks.labelled).map(|tick| tick.0);
             assert!(parts.into_iter().all(|part| (-1e-6..=1.0 + 1e-6).contains(&part)));
         }
     }
