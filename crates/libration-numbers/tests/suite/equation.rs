@@ -144,19 +144,19 @@ fn an_index_with_a_range_stands_for_many_equations() {
         ("q[n]' = q[n-1] - q[n] + x', n = 0..1; x'' = q[1]", "q0' = -q0 + x'; q1' = q0 - q1 + x'; x'' = q1"),
         ("x[i]'' = 0, i = 1..1; x[i]'' = x[1], i = 2..2", "x1'' = 0; x2'' = x1"),
     ] {
-        let (found, expected) = (equation(indexed), equation(plain));
-        assert_eq!(found.variables(), expected.variables(), "{indexed}");
-        for (found, expected) in found.derivatives().iter().zip(expected.derivatives()) {
-            let symbols = found.symbols().into_iter().chain(expected.symbols());
+        let (computed, expected) = (equation(indexed), equation(plain));
+        assert_eq!(computed.variables(), expected.variables(), "{indexed}");
+        for (computed, expected) in computed.derivatives().iter().zip(expected.derivatives()) {
+            let symbols = computed.symbols().into_iter().chain(expected.symbols());
             let symbols: std::collections::BTreeSet<_> = symbols.collect();
-            let [a, b] = [found, expected].map(|formula| {
+            let [a, b] = [computed, expected].map(|formula| {
                 // Square roots of different numbers satisfy no relation by chance.
                 let put_in = |formula: Expression, (symbol, n): (&Symbol, i64)| {
                     formula.substitute(symbol, &format!("sqrt({})", n * n + 1).parse().unwrap())
                 };
                 symbols.iter().zip(1..).fold(formula.clone(), put_in).to_f64().unwrap()
             });
-            assert!((a - b).abs() < 1e-12, "{indexed}: {found} is not {expected}");
+            assert!((a - b).abs() < 1e-12, "{indexed}: {computed} is not {expected}");
         }
     }
     assert_eq!("2*x[3] + v1[2]".parse::<Expression>().unwrap().to_string(), "2*x3 + v1_2");
@@ -172,11 +172,12 @@ fn degrees_right_behind_a_number_are_an_angle() {
         ("2^180deg", "2^pi"),
         ("-1.5deg*deg", "-pi/120*deg"),
     ] {
-        let [found, expected] = [text, plain].map(|it| it.parse::<Expression>().unwrap());
+        let [computed, expected] = [text, plain].map(|source| source.parse::<Expression>().unwrap());
         let put_in = |formula: &Expression, name: &str| {
             formula.substitute(&Symbol::plain(name), &"sqrt(2)".parse().unwrap())
         };
-        let [a, b] = [found, expected].map(|it| put_in(&put_in(&it, "x"), "deg").to_f64().unwrap());
+        let [a, b] =
+            [computed, expected].map(|formula| put_in(&put_in(&formula, "x"), "deg").to_f64().unwrap());
         assert!((a / b - 1.0).abs() < 1e-15, "{text}: {a} {b}");
     }
     // As a separate name, or after a space, deg is a parameter like others.

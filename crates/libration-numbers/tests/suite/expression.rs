@@ -411,13 +411,13 @@ const INVERSES: &[(&str, &str, &str)] = &[
 #[test]
 fn derivatives_of_inverse_functions_multiply_to_one() {
     let (u, x) = (Symbol::plain("u"), Symbol::plain("x"));
-    for (outer, inner, place) in INVERSES {
+    for (outer, inner, position) in INVERSES {
         let (outer, inner) = (formula(outer), formula(inner));
         let product = Expression::Multiply(
             Box::new(outer.derivative(&u).substitute(&u, &inner)),
             Box::new(inner.derivative(&x)),
         );
-        let value = product.substitute(&x, &formula(place));
+        let value = product.substitute(&x, &formula(position));
         assert_eq!(value.to_rational(), Some(Rational::from(1)), "{outer}: {value}");
     }
 }

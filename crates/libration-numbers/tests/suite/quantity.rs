@@ -254,8 +254,8 @@ fn numbers_in_a_unit_are_what_their_text_is() {
     for number in tenths.chain(others).chain(ends) {
         for (unit, dimension) in units {
             let written = parse(&format!("{number:e} {unit}"), dimension).unwrap().value;
-            let found = in_si(number, unit, dimension).unwrap();
-            assert_eq!(found.to_bits(), (written + 0.0 * number).to_bits(), "{number:e} {unit}");
+            let computed = in_si(number, unit, dimension).unwrap();
+            assert_eq!(computed.to_bits(), (written + 0.0 * number).to_bits(), "{number:e} {unit}");
         }
     }
     assert_eq!(in_si(1.0, "s", Dimension::Length), None);

@@ -31,11 +31,11 @@ fn reported(call: impl Fn(&Watch<'_>)) -> Option<Status> {
 
 #[test]
 fn a_part_has_the_progress_of_the_whole() {
-    let found = reported(|watch| {
+    let status = reported(|watch| {
         let part = watch.part();
         assert!(part.reached(1000).is_err() && part.is_stopped());
     });
-    assert_eq!(found, Some(Status { stage: Stage::Whole, done: 0, of: Some(7) }));
+    assert_eq!(status, Some(Status { stage: Stage::Whole, done: 0, of: Some(7) }));
 }
 
 #[test]

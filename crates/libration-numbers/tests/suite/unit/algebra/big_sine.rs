@@ -8,8 +8,8 @@ fn sine_and_cosine_are_those_of_the_functions() {
             let x = BigFloat::from_f64(x, bits).unwrap();
             let (sine, cosine) = x.sin_cos();
             let wide = x.rounded_to(bits + 64);
-            for (found, exact) in [(sine, wide.sin()), (cosine, wide.cos())] {
-                let off = (found - exact.clone()).exponent();
+            for (computed, exact) in [(sine, wide.sin()), (cosine, wide.cos())] {
+                let off = (computed - exact.clone()).exponent();
                 let allowed = exact.exponent().map(|e| e + slack - isize::try_from(bits).unwrap());
                 assert!(off.is_none() || off <= allowed, "{x:?} {bits}: {off:?} {allowed:?}");
             }

@@ -66,7 +66,7 @@ fn squares_of_squares_stay_numbers() {
 #[test]
 fn logarithms_of_magnitudes_are_those_of_many_bits() {
     let number = |text: &str| BigFloat::from_rational(&text.parse::<Rational>().unwrap(), 200);
-    let huge = (0..11).fold(number("3/2"), |it, _| it.clone() * it); // beyond the range of f64
+    let huge = (0..11).fold(number("3/2"), |square, _| square.clone() * square); // beyond the range of f64
     let tiny = number("1") / (huge.clone() * huge.clone());
     let beside = number("1") - BigFloat::from_f64(f64::EPSILON / 2.0, 200).unwrap();
     for positive in [huge, tiny, beside, number("1"), number("2"), number("1/2"), number("1048577/1048576")] {

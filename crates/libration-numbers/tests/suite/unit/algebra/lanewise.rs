@@ -33,8 +33,8 @@ fn quotients_of_every_order_times_divisors_are_what_was_divided() {
         b[0] = 4.0;
         let a_n = c.iter().zip(b.iter().rev()).fold(0.0, |sum, (c, b)| sum + c * b);
         let (c, last) = c.split_at(n as usize);
-        let found = quotient(&Lanes::<1>, [a_n], c.as_chunks().0, b.as_chunks().0);
-        assert_eq!(found, Some([last[0]]), "{n}");
+        let computed = quotient(&Lanes::<1>, [a_n], c.as_chunks().0, b.as_chunks().0);
+        assert_eq!(computed, Some([last[0]]), "{n}");
     }
 }
 
@@ -47,7 +47,7 @@ fn integrals_of_every_order_are_those_of_whole_numbers() {
         let b = numbers(5, n);
         let weighted: Vec<f64> = a.iter().zip(0..).map(|(a, k)| a * f64::from(k)).collect();
         let plain = weighted[1..].iter().zip(b.iter().rev()).fold(0.0, |sum, (a, b)| sum + a * b);
-        let found = integral(&Lanes::<1>, [a[n as usize]], weighted[1..].as_chunks().0, b.as_chunks().0);
-        assert!((found.unwrap()[0] - plain / f64::from(n)).abs() <= 1e-15 * plain.abs(), "{n}");
+        let computed = integral(&Lanes::<1>, [a[n as usize]], weighted[1..].as_chunks().0, b.as_chunks().0);
+        assert!((computed.unwrap()[0] - plain / f64::from(n)).abs() <= 1e-15 * plain.abs(), "{n}");
     }
 }

@@ -28,13 +28,13 @@ fn integers_of_either_sign_come_back_until_the_primes_run_out() {
         }
     }
     // Seven primes remain if five confirm the result.
-    let found = |value: &UBig| {
+    let restored = |value: &UBig| {
         let residues = radix.residues(value);
         radix.small_integer(&radix.digits(|k| [residues[k]; LANES], &one), 0)
     };
     let (less, more) = (radix.modulus(7) * 2_u8 / 3_u8, radix.modulus(7) * 4_u8 / 3_u8);
-    assert_eq!(found(&less), Some(IBig::from(less.clone())));
-    assert_eq!((found(&more), found(&(UBig::ONE << 300))), (None, None));
+    assert_eq!(restored(&less), Some(IBig::from(less.clone())));
+    assert_eq!((restored(&more), restored(&(UBig::ONE << 300))), (None, None));
 }
 
 #[test]

@@ -26,9 +26,9 @@ fn roots_have_their_order_and_squares_their_roots() {
         let root = field.root_of_unity(1 << 16).unwrap();
         assert_eq!(field.raised(root, 1 << 16), field.unit());
         assert_eq!(field.root_of_unity(1 << 29), None);
-        let found = (2..40).filter_map(|n| field.square_root(field.integer(n)).map(|root| (n, root)));
-        let found: Vec<(u32, u32)> = found.collect();
-        assert!(found.iter().all(|&(n, root)| field.product(root, root) == field.integer(n)));
-        assert!(found.len() > 10 && found.len() < 38 && found.iter().any(|&(n, _)| n == 36));
+        let squares = (2..40).filter_map(|n| field.square_root(field.integer(n)).map(|root| (n, root)));
+        let squares: Vec<(u32, u32)> = squares.collect();
+        assert!(squares.iter().all(|&(n, root)| field.product(root, root) == field.integer(n)));
+        assert!(squares.len() > 10 && squares.len() < 38 && squares.iter().any(|&(n, _)| n == 36));
     }
 }

@@ -21,12 +21,12 @@ impl Images for Known {
 fn fractions_of_any_size_come_back() {
     let power = |base: i64, n: isize| Rational::new(base, 7).unwrap().integer_power(n).unwrap();
     let numbers = vec![Rational::from(0), power(-3, 5), power(22, 300), power(5, -211), Rational::from(-1)];
-    let mut known = Known(numbers.clone(), 0);
-    let found = reconstruct(&mut known, primes_with_roots(12)).unwrap().unwrap();
-    assert_eq!(found, numbers);
+    let mut fractions = Known(numbers.clone(), 0);
+    let computed = reconstruct(&mut fractions, primes_with_roots(12)).unwrap().unwrap();
+    assert_eq!(computed, numbers);
     // 300·(log₂ 22 + log₂ 7) = 2180 bits plus 48 spare bits require 75 primes and five that confirm, in groups of eight. Over the common
     // denominator 7³⁰⁰ the number 5⁻²¹¹ adds only another 490 bits.
-    assert!(known.1 >= 80 && known.1 <= 104, "{}", known.1);
+    assert!(fractions.1 >= 80 && fractions.1 <= 104, "{}", fractions.1);
 }
 
 /// The powers of 22/7, with the exponent as order; the computation stops after a number of primes.
@@ -53,9 +53,9 @@ fn low_orders_are_certain_before_high_ones() {
     for primes in [8, 16, 24, 40] {
         let stopped =
             reconstruct(&mut BrokenOff(numbers.clone(), primes), primes_with_roots(12)).unwrap_err();
-        let (known, complete) = stopped.certain.unwrap();
-        assert_eq!(known[..=complete], numbers[..=complete]);
-        assert!(known[complete + 1..].iter().all(Rational::is_zero));
+        let (certain, complete) = stopped.certain.unwrap();
+        assert_eq!(certain[..=complete], numbers[..=complete]);
+        assert!(certain[complete + 1..].iter().all(Rational::is_zero));
         // Over the expected denominators a power needs 4.5 bits per order; a prime has 30 bits, and five primes confirm.
         assert!(
             complete > before && 9 * complete > 58 * (primes - 6) && 9 * complete < 60 * (primes - 4),
@@ -71,6 +71,6 @@ fn low_orders_are_certain_before_high_ones() {
 fn primes_in_a_denominator_are_passed_over() {
     let first = primes_with_roots(12).next().unwrap();
     let number = Rational::new(1, i64::from(first)).unwrap();
-    let found = reconstruct(&mut Known(vec![number.clone()], 0), primes_with_roots(12)).unwrap();
-    assert_eq!(found, Some(vec![number]));
+    let computed = reconstruct(&mut Known(vec![number.clone()], 0), primes_with_roots(12)).unwrap();
+    assert_eq!(computed, Some(vec![number]));
 }

@@ -39,9 +39,9 @@ fn values_at_points_and_lists_of_coefficients_have_the_same_products() {
         let product = exact.multiply(&in_lists(4), &in_lists(7));
         let sampled_product = sampled.multiply(&at_points(4), &at_points(7));
         for k in (0..=10).filter(|k| !half_wave || k % 2 == 1) {
-            let (truth, found) = (exact.harmonic(&product, k), sampled.harmonic(&sampled_product, k));
-            assert_eq!(field.rational(&truth.cosine), Some(found.cosine), "{symmetry:?} cos {k}");
-            assert_eq!(field.rational(&truth.sine), Some(found.sine), "{symmetry:?} sin {k}");
+            let (truth, computed) = (exact.harmonic(&product, k), sampled.harmonic(&sampled_product, k));
+            assert_eq!(field.rational(&truth.cosine), Some(computed.cosine), "{symmetry:?} cos {k}");
+            assert_eq!(field.rational(&truth.sine), Some(computed.sine), "{symmetry:?} sin {k}");
         }
     }
 }

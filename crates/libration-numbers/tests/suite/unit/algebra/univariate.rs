@@ -16,9 +16,9 @@ fn factors_are_found_with_their_multiplicity() {
             Rationals.series_product(&product, &factor, length)
         })
     });
-    let mut found = square_free_factors(&product);
-    found.sort_by_key(|(_, times)| std::cmp::Reverse(*times));
+    let mut computed = square_free_factors(&product);
+    computed.sort_by_key(|(_, times)| std::cmp::Reverse(*times));
     let expected: Vec<_> = factors.iter().map(|(factor, times)| (polynomial(factor), *times)).collect();
-    assert_eq!(found, expected);
+    assert_eq!(computed, expected);
     assert!(square_free_factors(&polynomial(&[3])).is_empty());
 }

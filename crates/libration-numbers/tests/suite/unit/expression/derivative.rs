@@ -20,8 +20,8 @@ fn derivatives_have_their_closed_forms() {
         ("x*sign(x)", "sign(x)"),
         ("tanh(-x)", "-1/cosh(x)^2"),
     ] {
-        let found = formula(text).derivative(&Symbol::plain("x"));
-        assert!(difference(found.clone(), formula(slope)).vanishes(), "{text}: {found}");
+        let computed = formula(text).derivative(&Symbol::plain("x"));
+        assert!(difference(computed.clone(), formula(slope)).vanishes(), "{text}: {computed}");
     }
 }
 

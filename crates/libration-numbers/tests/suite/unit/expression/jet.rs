@@ -26,7 +26,7 @@ fn taylor(formula: &Expression, at: i64, length: usize) -> Vec<String> {
 
 #[test]
 fn elementary_functions_have_their_taylor_series() {
-    let known: [(Function, i64, [&str; 6]); 13] = [
+    let series: [(Function, i64, [&str; 6]); 13] = [
         (Function::Sin, 0, ["0", "1", "0", "-1/6", "0", "1/120"]),
         (Function::Cos, 0, ["1", "0", "-1/2", "0", "1/24", "0"]),
         (Function::Tan, 0, ["0", "1", "0", "1/3", "0", "2/15"]),
@@ -41,7 +41,7 @@ fn elementary_functions_have_their_taylor_series() {
         (Function::Abs, -3, ["3", "-1", "0", "0", "0", "0"]),
         (Function::Sign, -3, ["-1", "0", "0", "0", "0", "0"]),
     ];
-    for (function, at, coefficients) in known {
+    for (function, at, coefficients) in series {
         assert_eq!(taylor(&call(function, x()), at, 6), coefficients, "{function:?}");
     }
 }
@@ -71,14 +71,14 @@ fn amending_a_coefficient_is_the_same_as_knowing_it_before() {
     );
     let tape = Tape::new(&[&formula], &[Symbol { name: "x".to_owned(), primes: 0 }]).unwrap();
     let zero = [Rational::from(0)];
-    let mut known = Jet::new(&Rationals, &tape, &zero).unwrap();
+    let mut extended = Jet::new(&Rationals, &tape, &zero).unwrap();
     let mut amended = Jet::new(&Rationals, &tape, &zero).unwrap();
     let gains = amended.gains(0).unwrap();
     for n in 1..8 {
         let value = Rational::new(n * n - 5, n).unwrap();
-        known.extend(std::slice::from_ref(&value)).unwrap();
+        extended.extend(std::slice::from_ref(&value)).unwrap();
         amended.extend(&zero).unwrap();
         amended.amend(&gains, &value);
     }
-    assert_eq!(known.result(0), amended.result(0));
+    assert_eq!(extended.result(0), amended.result(0));
 }

@@ -1,7 +1,7 @@
 use libration::expression::Expression;
 
 fn part(text: &str) -> Option<String> {
-    text.parse::<Expression>().unwrap().without_value().map(|it| it.part)
+    text.parse::<Expression>().unwrap().without_value().map(|obstacle| obstacle.part)
 }
 
 #[test]

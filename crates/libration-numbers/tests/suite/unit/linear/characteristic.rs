@@ -10,7 +10,7 @@ fn the_polynomial_of_a_companion_is_what_it_was_made_of() {
         (0..3).map(move |j| Rational::from(i64::from(i == j + 1))).chain([last])
     };
     let companion: Vec<Vec<Rational>> = (0..4).map(|i| row(i).collect()).collect();
-    let found = characteristic_polynomial(&Rationals, &companion).unwrap();
-    assert_eq!(found[..4], coefficients);
-    assert_eq!(found[4], Rational::from(1));
+    let polynomial = characteristic_polynomial(&Rationals, &companion).unwrap();
+    assert_eq!(polynomial[..4], coefficients);
+    assert_eq!(polynomial[4], Rational::from(1));
 }

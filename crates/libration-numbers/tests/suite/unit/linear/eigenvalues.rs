@@ -2,11 +2,12 @@ use libration::algebra::Complex;
 use libration::internals::linear::{eigenvalue_errors, eigenvalues};
 use libration_testing::random::Random;
 
-fn close(found: &[Complex], expected: &[(f64, f64)], tolerance: f64) {
-    assert_eq!(found.len(), expected.len());
+fn close(computed: &[Complex], expected: &[(f64, f64)], tolerance: f64) {
+    assert_eq!(computed.len(), expected.len());
     for (re, im) in expected {
-        let nearest = found.iter().map(|z| (*z - Complex::new(*re, *im)).abs()).fold(f64::INFINITY, f64::min);
-        assert!(nearest < tolerance, "{re} + {im}i: {nearest:e} in {found:?}");
+        let nearest =
+            computed.iter().map(|z| (*z - Complex::new(*re, *im)).abs()).fold(f64::INFINITY, f64::min);
+        assert!(nearest < tolerance, "{re} + {im}i: {nearest:e} in {computed:?}");
     }
 }
 
@@ -40,10 +41,10 @@ fn eigenvalues_of_a_full_matrix_are_those_of_its_diagonal_form() {
 fn rotations_and_permutations_have_the_roots_of_unity() {
     let cycle: Vec<Vec<f64>> =
         (0..6).map(|i| (0..6).map(|j| f64::from(u8::from(i == (j + 1) % 6))).collect()).collect();
-    let found = eigenvalues(&cycle).unwrap();
+    let roots = eigenvalues(&cycle).unwrap();
     for k in 0..6 {
         let root = Complex::unit(std::f64::consts::TAU * f64::from(k) / 6.0);
-        assert!(found.iter().any(|z| (*z - root).abs() < 1e-14), "{found:?}");
+        assert!(roots.iter().any(|z| (*z - root).abs() < 1e-14), "{roots:?}");
     }
     close(&eigenvalues(&[vec![0.0, 1.0], vec![-1.0, 0.0]]).unwrap(), &[(0.0, 1.0), (0.0, -1.0)], 1e-15);
 }
@@ -64,17 +65,18 @@ fn changed_matrices_have_their_eigenvalues_within_the_errors() {
     let defective = vec![vec![1.0, 5.0, 0.0], vec![0.0, 1.0, 0.0], vec![0.0, 0.0, 0.2]];
     let identity = vec![vec![1.0, 0.0, 0.0], vec![0.0, 1.0, 0.0], vec![0.0, 0.0, 1.0]];
     for (matrix, most) in [(simple, 10.0), (defective, 1e6), (identity, 4.0)] {
-        let own = eigenvalues(&matrix).unwrap();
+        let original = eigenvalues(&matrix).unwrap();
         let change = 1e-9;
-        let errors = eigenvalue_errors(&matrix, &own, change);
+        let errors = eigenvalue_errors(&matrix, &original, change);
         assert!(errors.iter().all(|error| *error <= most * change), "{errors:?}");
         for _ in 0..200 {
             // The norm of such a matrix is below three times its entries.
             let mut moved = matrix.clone();
             moved.iter_mut().flatten().for_each(|x| *x += random.between(-1.0, 1.0) * change / 3.0);
             for value in eigenvalues(&moved).unwrap() {
-                let fits = |(own, error): (&Complex, &f64)| (value - *own).abs() <= 1.01 * error;
-                assert!(own.iter().zip(&errors).any(fits), "{value:?} {own:?} {errors:?}");
+                let fits =
+                    |(eigenvalue, error): (&Complex, &f64)| (value - *eigenvalue).abs() <= 1.01 * error;
+                assert!(original.iter().zip(&errors).any(fits), "{value:?} {original:?} {errors:?}");
             }
         }
     }

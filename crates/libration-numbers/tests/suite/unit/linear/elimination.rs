@@ -8,8 +8,8 @@ fn equations_are_solved_exactly() {
     let matrix: Vec<Vec<Rational>> = (0..3).map(|i| (0..3).map(|j| entry(i, j)).collect()).collect();
     let sum = |i: i64| (0..3).fold(Rational::from(0), |sum, j| sum + entry(i, j) * Rational::from(j + 1));
     let right: Vec<Rational> = (0..3).map(sum).collect();
-    let found = solve(&Rationals, Rational::to_f64, &matrix, &right).unwrap();
-    assert_eq!(found, [1, 2, 3].map(Rational::from));
+    let computed = solve(&Rationals, Rational::to_f64, &matrix, &right).unwrap();
+    assert_eq!(computed, [1, 2, 3].map(Rational::from));
     let singular = vec![vec![Rational::from(1); 2]; 2];
     assert_eq!(solve(&Rationals, Rational::to_f64, &singular, &[1, 2].map(Rational::from)), None);
 }
@@ -54,7 +54,7 @@ fn complex_equations_are_solved() {
     let solution = [z(1.0, -2.0), z(0.5, 4.0)];
     let right: Vec<Complex> =
         matrix.iter().map(|row| row.iter().zip(&solution).map(|(a, b)| *a * *b).sum()).collect();
-    let found = solve_complex(&matrix, &right).unwrap();
-    assert!(found.iter().zip(&solution).all(|(a, b)| (*a - *b).abs() < 1e-14), "{found:?}");
+    let computed = solve_complex(&matrix, &right).unwrap();
+    assert!(computed.iter().zip(&solution).all(|(a, b)| (*a - *b).abs() < 1e-14), "{computed:?}");
     assert_eq!(solve_complex(&vec![vec![z(1.0, 1.0); 2]; 2], &[z(1.0, 0.0); 2]), None);
 }

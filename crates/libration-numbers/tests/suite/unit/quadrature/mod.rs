@@ -29,10 +29,10 @@ fn analytic() -> Vec<Case> {
 
 fn kinked() -> Vec<Case> {
     let mut cases: Vec<Case> = vec![];
-    for place in [0.1, 0.31, 0.5, 0.77_f64] {
-        let kink = 0.5 * (place * place + (1.0 - place) * (1.0 - place));
-        cases.push((Box::new(move |x| (x - place).abs()), kink));
-        cases.push((Box::new(move |x| if x < place { 0.0 } else { 1.0 }), 1.0 - place));
+    for position in [0.1, 0.31, 0.5, 0.77_f64] {
+        let kink = 0.5 * (position * position + (1.0 - position) * (1.0 - position));
+        cases.push((Box::new(move |x| (x - position).abs()), kink));
+        cases.push((Box::new(move |x| if x < position { 0.0 } else { 1.0 }), 1.0 - position));
     }
     for power in [-0.3, 0.3, 0.5, 1.5, 2.5_f64] {
         cases.push((Box::new(move |x| libm::pow(x, power)), 1.0 / (1.0 + power)));

@@ -8,8 +8,8 @@ fn integrals_of_polynomials_are_exact() {
         let (upto, all) = running_integrals(&points().map(|x| power(x, degree)));
         let exact = |x: f64| power(x, degree + 1) / count(degree + 1);
         assert!((all - exact(1.0)).abs() < 1e-15, "{degree}");
-        for (x, found) in points().into_iter().zip(upto) {
-            assert!((found - exact(x)).abs() < 1e-15, "{degree} {x}: {found}");
+        for (x, computed) in points().into_iter().zip(upto) {
+            assert!((computed - exact(x)).abs() < 1e-15, "{degree} {x}: {computed}");
         }
     }
 }

@@ -2,11 +2,11 @@ use libration::roots::{Tolerance, bisect};
 
 fn counted(bracket: [f64; 2], tolerance: Tolerance, holds: impl Fn(f64) -> bool) -> ([f64; 2], u32) {
     let mut count = 0;
-    let found = bisect(bracket, tolerance, |x| {
+    let ends = bisect(bracket, tolerance, |x| {
         count += 1;
         holds(x)
     });
-    (found, count)
+    (ends, count)
 }
 
 #[test]

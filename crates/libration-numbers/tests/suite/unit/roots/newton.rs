@@ -22,22 +22,22 @@ fn in_doubles(tape: &Tape, guess: &[f64]) -> Result<Vec<f64>, Unsolved<f64>> {
 
 #[test]
 fn a_circle_and_a_line_cross_at_the_corner_of_a_triangle() {
-    let found = in_doubles(&tape(&["x^2 + y^2 - 25", "4*x - 3*y"], &["x", "y"]), &[2.0, 5.0]).unwrap();
-    assert!((found[0] - 3.0).abs() < 1e-14 && (found[1] - 4.0).abs() < 1e-14, "{found:?}");
+    let corner = in_doubles(&tape(&["x^2 + y^2 - 25", "4*x - 3*y"], &["x", "y"]), &[2.0, 5.0]).unwrap();
+    assert!((corner[0] - 3.0).abs() < 1e-14 && (corner[1] - 4.0).abs() < 1e-14, "{corner:?}");
 }
 
 /// √2 to 60 digits, as in OEIS A002193.
 #[test]
 fn zeros_are_found_to_the_digits_of_the_field() {
     let (ring, tape) = (Floats { precision: 240 }, tape(&["x^2 - 2"], &["x"]));
-    let found = newton(
+    let root = newton(
         &ring,
         &[BigFloat::from_f64(1.4, 240).unwrap()],
         20,
         |at| correction(&ring, |x| x.to_f64().abs(), &tape, at),
         |change, _| change[0].exponent().is_none_or(|size| size < -200),
     );
-    let digits = found.unwrap()[0].to_rational().to_decimal(60);
+    let digits = root.unwrap()[0].to_rational().to_decimal(60);
     assert_eq!(digits, "1.41421356237309504880168872420969807856967187537694807317668");
 }
 

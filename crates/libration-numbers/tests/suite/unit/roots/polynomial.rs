@@ -5,9 +5,9 @@ use std::f64::consts::TAU;
 
 /// Asserts that each true root is within the error bound of the root listed for it.
 fn assert_encloses(coefficients: &[f64], truth: &[f64], most: f64) {
-    let found = polynomial_roots(coefficients).unwrap();
-    assert_eq!(found.len(), truth.len(), "{coefficients:?}");
-    for (root, truth) in found.iter().zip(truth) {
+    let roots = polynomial_roots(coefficients).unwrap();
+    assert_eq!(roots.len(), truth.len(), "{coefficients:?}");
+    for (root, truth) in roots.iter().zip(truth) {
         let off = (root.value - Complex::from(*truth)).abs();
         assert!(off <= root.error && root.error <= most * truth.abs(), "{truth}: {off:e} {root:?}");
     }
@@ -24,13 +24,13 @@ fn from_roots(roots: &[f64]) -> Vec<f64> {
 fn roots_of_unity_are_found() {
     let mut coefficients = vec![0.0; 13];
     (coefficients[0], coefficients[12]) = (-1.0, 1.0);
-    let found = polynomial_roots(&coefficients).unwrap();
+    let roots = polynomial_roots(&coefficients).unwrap();
     for k in 0..12 {
         let root = Complex::unit(TAU * count(k) / 12.0);
-        let near = found.iter().find(|it| (it.value - root).abs() <= it.error + 1e-16);
-        assert!(near.is_some_and(|near| near.multiplicity == 1 && near.error < 1e-13), "{found:?}");
+        let near = roots.iter().find(|zero| (zero.value - root).abs() <= zero.error + 1e-16);
+        assert!(near.is_some_and(|near| near.multiplicity == 1 && near.error < 1e-13), "{roots:?}");
     }
-    assert_eq!(found.iter().filter(|it| it.value.im == 0.0).count(), 2);
+    assert_eq!(roots.iter().filter(|zero| zero.value.im == 0.0).count(), 2);
 }
 
 #[test]
@@ -70,8 +70,8 @@ fn constants_and_zeros_at_either_end_are_what_they_are() {
         assert_eq!(polynomial_roots(nothing), None);
     }
     assert_encloses(&[-6.0, 2.0, 0.0], &[3.0], 1e-14);
-    let found = polynomial_roots(&[0.0, 0.0, -6.0, 2.0, 0.0]).unwrap();
-    assert_eq!(found[..2], [PolynomialRoot { value: Complex::default(), error: 0.0, multiplicity: 2 }; 2]);
-    assert_eq!((found.len(), found[2].value.re), (3, 3.0));
+    let roots = polynomial_roots(&[0.0, 0.0, -6.0, 2.0, 0.0]).unwrap();
+    assert_eq!(roots[..2], [PolynomialRoot { value: Complex::default(), error: 0.0, multiplicity: 2 }; 2]);
+    assert_eq!((roots.len(), roots[2].value.re), (3, 3.0));
     assert_encloses(&[0.0, 5.0], &[0.0], 0.0);
 }

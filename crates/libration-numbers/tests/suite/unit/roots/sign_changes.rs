@@ -1,9 +1,9 @@
 use libration::roots::polynomial_sign_changes;
 
 fn assert_near(coefficients: &[f64], expected: &[f64], tolerance: f64) {
-    let found = polynomial_sign_changes(coefficients).unwrap();
-    assert_eq!(found.len(), expected.len(), "{coefficients:?}: {found:?}");
-    for (zero, expected) in found.iter().zip(expected) {
+    let zeros = polynomial_sign_changes(coefficients).unwrap();
+    assert_eq!(zeros.len(), expected.len(), "{coefficients:?}: {zeros:?}");
+    for (zero, expected) in zeros.iter().zip(expected) {
         assert!((zero - expected).abs() <= tolerance * expected.abs(), "{zero} {expected}");
     }
 }

@@ -34,7 +34,8 @@ fn a_value_is_the_same_before_and_after_an_operation() {
     let ring = ring();
     // a = 4, b = 1/9, w = 25.
     let at = ["2", "1/3", "5"].map(rational);
-    let power = |place: usize, half_power: i64| at[place].integer_power(isize::try_from(half_power).unwrap());
+    let power =
+        |letter: usize, half_power: i64| at[letter].integer_power(isize::try_from(half_power).unwrap());
     let value = |polynomial: &LaurentPolynomial| polynomial.value(power).unwrap();
     // (3/8)(1/9)/625 − (5/12)·16 + 2 by hand.
     assert_eq!(value(&sample(&ring)), rational("-23333/5000"));
