@@ -80,11 +80,11 @@ fn fractions_and_long_sums_have_no_names() {
 fn an_irrational_frequency_has_a_name_among_symbols() {
     let text = "x'' + 2*x + a*b*x*x' = 0";
     let oscillator = SymbolicOscillator::new(&equation(text)).unwrap();
-    let found = expand_symbolically(&oscillator, 4, &Gauge::Fundamental, &Quiet).unwrap();
-    assert_eq!(constants(&found), [("omega0", "sqrt(2)".to_owned())]);
-    let second = &found.series.harmonic(2).unwrap().sin;
+    let expansion = expand_symbolically(&oscillator, 4, &Gauge::Fundamental, &Quiet).unwrap();
+    assert_eq!(constants(&expansion), [("omega0", "sqrt(2)".to_owned())]);
+    let second = &expansion.series.harmonic(2).unwrap().sin;
     assert_eq!(second[2].to_string(), "a*b*omega0/12");
     // ω0³ is 2·ω0: a³b³ω0³/6912.
     assert_eq!(second[4].to_string(), "a^3*b^3*omega0/3456");
-    assert_eq!(found.series.certificate, Certificate::Unchecked);
+    assert_eq!(expansion.series.certificate, Certificate::Unchecked);
 }

@@ -48,24 +48,25 @@ fn rates_of_first_order_are_averages_over_a_period() {
         }
         let [amplitudes, phases, differences, rates] =
             ["amplitudes", "phases", "differences", "rates"].map(|name| listed(row.text(name)));
-        for (place, coordinate) in flow.coordinates.iter().enumerate() {
-            at.push((coordinate.amplitude.clone(), amplitudes[place]));
-            at.push((coordinate.phase.clone(), phases[place]));
-            at.push((format!("sigma_{}", coordinate.name), differences[place]));
+        for (number, coordinate) in flow.coordinates.iter().enumerate() {
+            at.push((coordinate.amplitude.clone(), amplitudes[number]));
+            at.push((coordinate.phase.clone(), phases[number]));
+            at.push((format!("sigma_{}", coordinate.name), differences[number]));
         }
         let at: Vec<(&str, f64)> = at.iter().map(|(name, value)| (name.as_str(), *value)).collect();
-        for (place, coordinate) in flow.coordinates.iter().enumerate() {
-            let amplitude = amplitudes[place];
-            let found = [
+        for (number, coordinate) in flow.coordinates.iter().enumerate() {
+            let amplitude = amplitudes[number];
+            let computed = [
                 value(&coordinate.amplitude_rate, &at),
                 value(&coordinate.phase_rate, &at) * amplitude,
                 value(&coordinate.equations[0], &at),
                 value(&coordinate.equations[1], &at),
             ];
-            for (found, expected) in found.iter().zip(rates[2 * place..2 * place + 2].iter().cycle()) {
+            for (computed, expected) in computed.iter().zip(rates[2 * number..2 * number + 2].iter().cycle())
+            {
                 assert!(
-                    (found - expected).abs() < 4e-15,
-                    "{text}, {}: {found} for {expected}",
+                    (computed - expected).abs() < 4e-15,
+                    "{text}, {}: {computed} for {expected}",
                     coordinate.name
                 );
                 compared += 1;
@@ -116,7 +117,7 @@ fn coordinates_without_coupling_are_those_alone() {
     for coordinate in both.coordinates {
         let renamed = |text: &str| {
             let names = [(coordinate.amplitude.as_str(), "A"), (coordinate.phase.as_str(), "phi")];
-            names.iter().fold(text.to_owned(), |text, (own, plain)| text.replace(own, plain))
+            names.iter().fold(text.to_owned(), |text, (symbol, plain)| text.replace(symbol, plain))
         };
         assert_eq!(renamed(&coordinate.amplitude_rate), alone.amplitude_rate);
         assert_eq!(renamed(&coordinate.phase_rate), alone.phase_rate);
@@ -148,9 +149,9 @@ fn state_after(text: &str, values: Values<'_>, start: &[f64], time: f64) -> Vec<
 fn by_slow_flow(flow: &CoupledSlowFlow, values: Values<'_>, slow: &[f64], time: f64) -> Vec<f64> {
     let displacement = |coordinate: &CoordinateFlow, time: f64| {
         let mut at = values.to_vec();
-        for (place, it) in flow.coordinates.iter().enumerate() {
-            at.push((&it.amplitude, slow[2 * place]));
-            at.push((&it.phase, slow[2 * place + 1]));
+        for (number, other) in flow.coordinates.iter().enumerate() {
+            at.push((&other.amplitude, slow[2 * number]));
+            at.push((&other.phase, slow[2 * number + 1]));
         }
         at.push(("t", time));
         value(&coordinate.displacement, &at)
@@ -176,8 +177,9 @@ fn distance(text: &str, flow: &CoupledSlowFlow, values: Values<'_>, slow: &[f64]
         let slow = state_after(&slow_text, &at, slow, n * step);
         by_slow_flow(flow, &at, &slow, n * step)
     });
-    let velocity = |place: usize| {
-        (moved[0][place] - 8.0 * moved[1][place] + 8.0 * moved[2][place] - moved[3][place]) / (12.0 * step)
+    let velocity = |number: usize| {
+        (moved[0][number] - 8.0 * moved[1][number] + 8.0 * moved[2][number] - moved[3][number])
+            / (12.0 * step)
     };
     let mut start = before.clone();
     start.extend((0..before.len()).map(velocity));
@@ -240,8 +242,11 @@ fn detunings_have_the_order_of_the_terms_that_act_first() {
     assert_eq!(rates(quadratic, "1:2", 1), expected);
     // The square of the detuning, as the cubic force, is of order 4.
     let cubic = "x'' + w1^2*x + a*x*y^2 = 0; y'' + w2^2*y + a*x^2*y = 0";
-    let found = &rates(cubic, "1:1", 2)[1];
-    assert!(found.starts_with("sigma_y + a*A_x^2/(4*w1)") && !found.contains("sigma_y^2"), "{found}");
+    let phase_rate = &rates(cubic, "1:1", 2)[1];
+    assert!(
+        phase_rate.starts_with("sigma_y + a*A_x^2/(4*w1)") && !phase_rate.contains("sigma_y^2"),
+        "{phase_rate}"
+    );
     assert!(!rates(quadratic, "1:2", 2)[1].contains("sigma_y^2/"), "√(ω² + 2ωσ + σ²) is ω + σ exactly");
 }
 

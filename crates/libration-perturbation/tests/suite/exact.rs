@@ -52,8 +52,8 @@ fn assert_holds(exact: &ExactValue, truth: f64, size: f64, what: &str) {
 }
 
 fn check(key: &str) {
-    let known = Known::new(key);
-    let small_period = TAU / known.oscillator.omega0_squared().to_f64().sqrt();
+    let reference = Known::new(key);
+    let small_period = TAU / reference.oscillator.omega0_squared().to_f64().sqrt();
     let table = Table::read("periods_near_separatrix.csv");
     // At the separatrix itself, and elsewhere every third row, of which the last are next to it.
     let at_separatrix = |row: &Row| row.input("period").is_infinite();
@@ -62,7 +62,7 @@ fn check(key: &str) {
     for row in rows {
         let (amplitude, what) = (row.text("amplitude"), format!("{key} at {}", row.text("amplitude")));
         let period = row.input("period");
-        let exact = known.exact(SeriesQuantity::Period, amplitude);
+        let exact = reference.exact(SeriesQuantity::Period, amplitude);
         if period.is_infinite() {
             assert!(matches!(exact, Err(ExactValueError::Infinite(_))), "{what}: {exact:?}");
             continue;
@@ -77,7 +77,7 @@ fn check(key: &str) {
         if row.text("a1").is_empty() && row.text("a3").is_empty() {
             continue;
         }
-        let motion = known.motion(amplitude);
+        let motion = reference.motion(amplitude);
         for (column, k) in [("a1", 1), ("a3", 3)] {
             if !row.text(column).is_empty() {
                 let exact = motion.value(SeriesQuantity::Cosine(k)).unwrap();
@@ -128,14 +128,14 @@ mod sweeps {
 /// At 0.999999999 the decimal and the `f64` next to it differ in the ninth digit of the period.
 #[test]
 fn a_decimal_and_its_f64_are_two_amplitudes() {
-    let known = Known::new("duffing_soft");
-    let relation = SeriesComparison::new(&known.oscillator, &known.expansion, SeriesQuantity::Period);
+    let reference = Known::new("duffing_soft");
+    let relation = SeriesComparison::new(&reference.oscillator, &reference.expansion, SeriesQuantity::Period);
     let decimal = relation.exact_from(&displacement("0.999999999"), &Quiet).unwrap();
     let double = relation.exact_at(0.999_999_999, &Quiet).unwrap();
     assert_holds(&decimal, 62.535_279_781_833_69 / TAU, 10.0, "the decimal");
     assert_holds(&double, 62.535_279_861_827_07 / TAU, 10.0, "its f64");
     assert_eq!(
-        relation.exact_at(f64::NAN, &Quiet).map_err(|it| it.to_string()).unwrap_err(),
+        relation.exact_at(f64::NAN, &Quiet).map_err(|refusal| refusal.to_string()).unwrap_err(),
         "the amplitude is NaN: give a finite number above zero"
     );
 }
@@ -189,16 +189,16 @@ fn approximants_have_their_poles_beyond_the_separatrix() {
             .unwrap()
             .first_pole()
     };
-    assert!(pole("quadratic", 8).is_some_and(|place| (0.5..0.55).contains(&place)));
-    assert!(pole("duffing_soft", 4).is_some_and(|place| (1.0..1.25).contains(&place)));
+    assert!(pole("quadratic", 8).is_some_and(|pole| (0.5..0.55).contains(&pole)));
+    assert!(pole("duffing_soft", 4).is_some_and(|pole| (1.0..1.25).contains(&pole)));
     assert_eq!(pole("duffing", 4), None);
 }
 
 #[test]
 fn frequencies_have_the_uncertainty_of_their_period() {
-    let known = Known::new("double_well");
-    let [period, frequency] =
-        [SeriesQuantity::Period, SeriesQuantity::Frequency].map(|it| known.exact(it, "0.4").unwrap());
+    let reference = Known::new("double_well");
+    let [period, frequency] = [SeriesQuantity::Period, SeriesQuantity::Frequency]
+        .map(|quantity| reference.exact(quantity, "0.4").unwrap());
     assert!((period.value * frequency.value - 1.0).abs() <= f64::EPSILON);
     let relative = |exact: &ExactValue| exact.uncertainty / exact.value;
     assert!((relative(&period) / relative(&frequency) - 1.0).abs() < 1e-12);
@@ -216,13 +216,13 @@ const VAN_DER_POL: [(&str, f64); 6] = [
 
 #[test]
 fn limit_cycles_are_found_and_their_uncertainties_hold() {
-    let known = Known::new("van_der_pol");
+    let reference = Known::new("van_der_pol");
     for (strength, period) in VAN_DER_POL {
-        let exact = known.exact(SeriesQuantity::Period, strength).unwrap();
+        let exact = reference.exact(SeriesQuantity::Period, strength).unwrap();
         assert_holds(&exact, period / TAU, 1.0, strength);
         assert_eq!(exact.method, Method::Integration);
     }
-    let refusal = known.exact(SeriesQuantity::Period, "0").unwrap_err();
+    let refusal = reference.exact(SeriesQuantity::Period, "0").unwrap_err();
     assert_eq!(refusal, ExactValueError::Strength(0.0));
 }
 
@@ -241,14 +241,14 @@ fn the_distance_of_a_limit_cycle_from_its_orbit_is_that_of_another_program() {
         comparison.cycle_distance(&strength, &Quiet).unwrap()
     };
     for (strength, expected) in VAN_DER_POL_TO_FIRST_ORDER {
-        let found = distance(1, strength).unwrap();
+        let computed = distance(1, strength).unwrap();
         // 512 phases miss the maximum of a difference with harmonics up to the seventh by 1e-3 of it.
-        assert!((found.distance / expected - 1.0).abs() < 1e-3 && found.is_near(), "{found:?}");
+        assert!((computed.distance / expected - 1.0).abs() < 1e-3 && computed.is_near(), "{computed:?}");
     }
     let precise = distance(15, "0.1").unwrap();
     assert!(precise.distance < 1e-13 && precise.uncertainty < 1e-13, "{precise:?}");
     // Far beyond the radius of convergence there is nothing near.
-    assert!(distance(15, "6").map_or(true, |found| !found.is_near()));
+    assert!(distance(15, "6").map_or(true, |computed| !computed.is_near()));
     assert!(matches!(distance(3, "0"), Err(ExactValueError::Strength(_))));
 }
 

@@ -31,8 +31,8 @@ fn product(a: &[Rational], b: &[Rational]) -> Series {
 fn reciprocal(a: &[Rational]) -> Series {
     let mut b: Series = vec![Rational::from(1).checked_div(&a[0]).unwrap()];
     for n in 1..a.len() {
-        let known = (1..=n).fold(Rational::from(0), |sum, i| sum + a[i].clone() * b[n - i].clone());
-        b.push(-known.checked_div(&a[0]).unwrap());
+        let terms = (1..=n).fold(Rational::from(0), |sum, i| sum + a[i].clone() * b[n - i].clone());
+        b.push(-terms.checked_div(&a[0]).unwrap());
     }
     b
 }
@@ -97,9 +97,9 @@ fn compare(table: &str, expansion_of: impl Fn(&str, &str, usize) -> Expansion) {
         let expansion = expansion_of(&force, &gauge, highest + 1);
         assert_eq!(expansion.precision, Precision::Exact);
         for (name, truth) in series {
-            let found = series_of(&expansion, &name);
+            let computed = series_of(&expansion, &name);
             let last = *truth.keys().last().unwrap();
-            for (power, value) in found.iter().take(last + 1).enumerate() {
+            for (power, value) in computed.iter().take(last + 1).enumerate() {
                 let expected = truth.get(&power).cloned().unwrap_or_else(|| Rational::from(0));
                 assert_eq!(*value, expected, "{force}, {gauge}: {name}, power {power}");
             }
@@ -399,7 +399,7 @@ fn certain_at(
 ) -> Option<Expansion> {
     let ask = |progress| if end(progress) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
     match expand(oscillator, order, gauge, &ask) {
-        Err(ExpansionError::Interrupted { known }) => known.map(|known| *known),
+        Err(ExpansionError::Interrupted { known: partial }) => partial.map(|partial| *partial),
         other => panic!("not interrupted: {other:?}"),
     }
 }
@@ -420,16 +420,20 @@ fn an_interrupted_expansion_gives_the_orders_that_are_certain() {
             let at = |progress: Status| {
                 matches!(progress.stage, Stage::Prime { done } if done >= primes) && progress.done > order / 2
             };
-            let known = certain_at(&oscillator, order, &gauge, at).unwrap();
-            let direct = expand(&oscillator, known.order, &gauge, &Quiet).unwrap();
-            assert_eq!(known.certificate, Certificate::FreshPrimes);
-            assert_eq!(Expansion { certificate: direct.certificate, ..known.clone() }, direct, "{equation}");
-            assert!(
-                before <= known.order && 0 < known.order && known.order < order,
-                "{equation}: {}",
-                known.order
+            let partial = certain_at(&oscillator, order, &gauge, at).unwrap();
+            let direct = expand(&oscillator, partial.order, &gauge, &Quiet).unwrap();
+            assert_eq!(partial.certificate, Certificate::FreshPrimes);
+            assert_eq!(
+                Expansion { certificate: direct.certificate, ..partial.clone() },
+                direct,
+                "{equation}"
             );
-            before = known.order;
+            assert!(
+                before <= partial.order && 0 < partial.order && partial.order < order,
+                "{equation}: {}",
+                partial.order
+            );
+            before = partial.order;
         }
         assert_eq!(certain_at(&oscillator, order, &gauge, |_| true), None, "{equation}");
     }
@@ -440,9 +444,10 @@ fn an_interrupted_check_leaves_the_answer_unchecked() {
     for order in [9, 31] {
         let pendulum = oscillator("x'' = -sin(x)");
         let checked = expand(&pendulum, order, &Gauge::Fundamental, &Quiet).unwrap();
-        let known = certain_at(&pendulum, order, &Gauge::Fundamental, |it| it.stage == Stage::Check).unwrap();
-        assert!(checked.certificate.is_proof() && known.certificate == Certificate::FreshPrimes);
-        assert_eq!(Expansion { certificate: checked.certificate, ..known }, checked);
+        let partial =
+            certain_at(&pendulum, order, &Gauge::Fundamental, |status| status.stage == Stage::Check).unwrap();
+        assert!(checked.certificate.is_proof() && partial.certificate == Certificate::FreshPrimes);
+        assert_eq!(Expansion { certificate: checked.certificate, ..partial }, checked);
     }
 }
 
@@ -465,11 +470,11 @@ fn digits_are_certain_to_the_order_that_two_precisions_have() {
             certain_at(&oscillator, order, &Gauge::Fundamental, at)
         };
         assert_eq!(during(precisions[0]), None);
-        let known = during(precisions[1]).unwrap();
-        assert_eq!(known.order, order - 3, "{equation}");
-        let direct = expand(&oscillator, known.order, &Gauge::Fundamental, &Quiet).unwrap();
-        assert_eq!(known.frequency_ratio, direct.frequency_ratio, "{equation}");
-        assert_eq!(known.harmonics, direct.harmonics, "{equation}");
+        let partial = during(precisions[1]).unwrap();
+        assert_eq!(partial.order, order - 3, "{equation}");
+        let direct = expand(&oscillator, partial.order, &Gauge::Fundamental, &Quiet).unwrap();
+        assert_eq!(partial.frequency_ratio, direct.frequency_ratio, "{equation}");
+        assert_eq!(partial.harmonics, direct.harmonics, "{equation}");
     }
 }
 
@@ -505,10 +510,10 @@ fn forces_with_the_sign_of_the_velocity_are_not_expanded() {
         "x'' + w^2*x + c*x*abs(x') = 0",
     ] {
         let refused = match NumbersOrLetters::new(&text.parse().unwrap(), None) {
-            Ok(NumbersOrLetters::Letters(it)) => {
-                expand_symbolically(&it, 4, &Gauge::Fundamental, &Quiet).is_err()
+            Ok(NumbersOrLetters::Letters(letters)) => {
+                expand_symbolically(&letters, 4, &Gauge::Fundamental, &Quiet).is_err()
             }
-            found => found.is_err(),
+            refusal => refusal.is_err(),
         };
         assert!(refused, "{text}");
     }

@@ -5,7 +5,7 @@ use libration::orbit::Orbit;
 use libration::progress::{Quiet, Status};
 use std::f64::consts::PI;
 
-fn found(text: &str) -> LeadingLimitCycles {
+fn leading(text: &str) -> LeadingLimitCycles {
     LeadingLimitCycles::new(&text.parse().unwrap(), Some("e"), &Quiet).unwrap()
 }
 
@@ -38,7 +38,7 @@ fn agrees(text: &str, cycle: &LeadingLimitCycle, sign: f64) {
 #[test]
 fn van_der_pol_with_a_finite_cubic_term_settles_at_1_9351() {
     let text = "x'' + x + x^3 = e*(1 - x^2)*x'";
-    let [cycle] = &found(text).cycles[..] else { panic!("one cycle") };
+    let [cycle] = &leading(text).cycles[..] else { panic!("one cycle") };
     assert!((cycle.amplitude - 1.9351).abs() < 5e-5, "{cycle:?}");
     assert!((cycle.other_side + cycle.amplitude).abs() < 1e-12);
     agrees(text, cycle, 1.0);
@@ -47,7 +47,7 @@ fn van_der_pol_with_a_finite_cubic_term_settles_at_1_9351() {
 #[test]
 fn rayleigh_with_a_cubic_term_and_the_pendulum_with_van_der_pol_s_excitation_as_well() {
     for text in ["x'' + x + x^3 = e*(1 - x'^2/3)*x'", "x'' + sin(x) = e*(1 - 2*x^2)*x'"] {
-        let [cycle] = &found(text).cycles[..] else { panic!("one cycle") };
+        let [cycle] = &leading(text).cycles[..] else { panic!("one cycle") };
         agrees(text, cycle, 1.0);
     }
 }
@@ -55,7 +55,7 @@ fn rayleigh_with_a_cubic_term_and_the_pendulum_with_van_der_pol_s_excitation_as_
 #[test]
 fn of_two_cycles_each_attracts_for_one_sign() {
     let text = "x'' + x + x^3 = -e*(1 - 4*x^2 + 3/2*x^4)*x'";
-    let [inner, outer] = &found(text).cycles[..] else { panic!("two cycles") };
+    let [inner, outer] = &leading(text).cycles[..] else { panic!("two cycles") };
     assert!(inner.exponent > 0.0 && outer.exponent < 0.0);
     agrees(text, inner, -1.0);
     agrees(text, outer, 1.0);
@@ -67,7 +67,7 @@ fn two_cycles_that_are_close_are_both_found() {
     let root = 0.04_f64;
     let b = (8.0 + root * root).sqrt();
     let text = format!("x'' + x = -e*(1 - {b}*x^2 + x^4)*x'");
-    let cycles = found(&text).cycles;
+    let cycles = leading(&text).cycles;
     let expected = [b - root, b + root].map(f64::sqrt);
     assert_eq!(cycles.len(), 2);
     for (cycle, expected) in cycles.iter().zip(expected) {
@@ -79,7 +79,7 @@ fn two_cycles_that_are_close_are_both_found() {
 #[test]
 fn an_asymmetric_force_has_its_cycle_too() {
     let text = "x'' + x + x^2 = e*(1/25 - x^2)*x'";
-    let whole = found(text);
+    let whole = leading(text);
     let [cycle] = &whole.cycles[..] else { panic!("one cycle: {whole:?}") };
     assert!(whole.family_ends && (whole.searched[1] - 0.5).abs() < 1e-3);
     agrees(text, cycle, 1.0);
@@ -91,7 +91,7 @@ fn closed_forms_are_met_within_what_is_stated() {
     for (text, amplitude, exponent) in
         [("x'' + x = e*(1 - x^2)*x'", 2.0, -1.0), ("x'' + x = e*(x' - sign(x')/2)", 2.0 / PI, 0.5)]
     {
-        let [cycle] = &found(text).cycles[..] else { panic!("{text}") };
+        let [cycle] = &leading(text).cycles[..] else { panic!("{text}") };
         assert!((cycle.amplitude - amplitude).abs() <= cycle.amplitude_uncertainty, "{cycle:?}");
         assert!((cycle.exponent - exponent).abs() <= cycle.exponent_uncertainty, "{cycle:?}");
         assert!((cycle.period - 2.0 * PI).abs() <= cycle.period_uncertainty, "{cycle:?}");
@@ -101,14 +101,14 @@ fn closed_forms_are_met_within_what_is_stated() {
 
 #[test]
 fn a_force_that_only_takes_has_none_and_says_so() {
-    let damped = found("x'' + e*x'*abs(x') + sin(x) = 0");
+    let damped = leading("x'' + e*x'*abs(x') + sin(x) = 0");
     assert!(damped.cycles.is_empty() && damped.family_ends && !damped.is_without_work());
     assert!((damped.searched[1] - PI).abs() < 5e-3 && damped.signs.iter().all(|sign| *sign < 0.0));
-    let driven = found("x'' + x + x^3 = e*x'");
+    let driven = leading("x'' + x + x^3 = e*x'");
     assert!(driven.cycles.is_empty() && !driven.family_ends && driven.signs.iter().all(|sign| *sign > 0.0));
     // A force of the place alone, and one that gives on one half of the way what it takes on the other.
     for text in ["x'' + sin(x) = e*x^2", "x'' + x = e*x'^2"] {
-        assert!(found(text).is_without_work(), "{text}: {:?}", found(text));
+        assert!(leading(text).is_without_work(), "{text}: {:?}", leading(text));
     }
 }
 

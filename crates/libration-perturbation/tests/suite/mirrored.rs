@@ -26,12 +26,12 @@ fn value(series: &[Rational], at: f64) -> f64 {
 #[test]
 fn the_isochronous_centre_has_its_closed_form_to_any_order() {
     let order = 24;
-    let found = expansion(ISOCHRONOUS, order);
-    assert_eq!(found.phase_origin, PhaseOrigin::Passage);
+    let expansion = expansion(ISOCHRONOUS, order);
+    assert_eq!(expansion.phase_origin, PhaseOrigin::Passage);
     let whole = |power: usize| Rational::from(i64::from(power == 0));
-    assert_eq!(found.frequency_ratio, (0..order).map(whole).collect::<Vec<_>>());
+    assert_eq!(expansion.frequency_ratio, (0..order).map(whole).collect::<Vec<_>>());
     for k in 1..=order {
-        let harmonic = found.harmonic(k).unwrap();
+        let harmonic = expansion.harmonic(k).unwrap();
         assert!(harmonic.cos.iter().all(Rational::is_zero));
         for (power, coefficient) in harmonic.sin.iter().enumerate() {
             let expected =
@@ -41,8 +41,8 @@ fn the_isochronous_centre_has_its_closed_form_to_any_order() {
     }
     // The largest displacement is 2q/(1 − q²), where cos τ = 2q/(1 + q²).
     let q = 0.05;
-    assert!((value(&found.x_max, 2.0 * q) - 2.0 * q / (1.0 - q * q)).abs() < 1e-16);
-    assert_eq!(found.certificate, Certificate::FirstIntegral);
+    assert!((value(&expansion.x_max, 2.0 * q) - 2.0 * q / (1.0 - q * q)).abs() < 1e-16);
+    assert_eq!(expansion.certificate, Certificate::FirstIntegral);
 }
 
 /// T of x″ + x·x′ + x = 0 from v − ln(1 + v) + x²/2 = A²/2: T = 2·∫ dv/((1 + v)·x).
@@ -116,12 +116,12 @@ fn frequency_and_harmonics_are_those_of_orbits() {
 /// sin kτ has the factor ω0 where k is even, so that a root of 2 stands in some coefficients, though not in the frequency.
 #[test]
 fn an_irrational_frequency_has_harmonics_in_digits() {
-    let found = expansion("x'' + x*x' + 2*x = 0", 5);
-    assert_eq!(found.precision, Precision::Digits(40));
+    let expansion = expansion("x'' + x*x' + 2*x = 0", 5);
+    assert_eq!(expansion.precision, Precision::Digits(40));
     // By the time in units of 1/√2 the drag is 1/√2 of that of x″ + x·x′ + x = 0: b₂ = ε²/(6√2), Ω/ω0 = 1 − ε²/48.
-    let b2 = found.harmonic(2).unwrap().sin[2].to_f64();
+    let b2 = expansion.harmonic(2).unwrap().sin[2].to_f64();
     assert!((b2 - 1.0 / (6.0 * 2.0_f64.sqrt())).abs() < 1e-16);
-    assert!((found.frequency_ratio[2].to_f64() + 1.0 / 48.0).abs() < 1e-17);
+    assert!((expansion.frequency_ratio[2].to_f64() + 1.0 / 48.0).abs() < 1e-17);
 }
 
 #[test]
@@ -131,14 +131,14 @@ fn the_turning_points_are_opposite_in_every_gauge() {
     let natural = expand(&oscillator, 7, &Gauge::Fundamental, &Quiet).unwrap();
     let x_max = expand(&oscillator, 7, &Gauge::XMax, &Quiet).unwrap();
     let listed = expand(&oscillator, 7, &"A1=2,A2=1/3".parse().unwrap(), &Quiet).unwrap();
-    for found in [&natural, &x_max, &listed] {
-        let opposite: Vec<Rational> = found.x_min.iter().map(|c| -c.clone()).collect();
-        assert_eq!(found.x_max, opposite);
-        assert_eq!(found.of_half_swing, None);
-        assert_eq!(found.certificate, Certificate::PlainRationals);
+    for series in [&natural, &x_max, &listed] {
+        let opposite: Vec<Rational> = series.x_min.iter().map(|c| -c.clone()).collect();
+        assert_eq!(series.x_max, opposite);
+        assert_eq!(series.of_half_swing, None);
+        assert_eq!(series.certificate, Certificate::PlainRationals);
         let of = |expansion: &Expansion| expansion.of_amplitude.clone().unwrap();
-        assert_eq!(of(found).harmonics, of(&natural).harmonics);
-        assert_eq!(of(found).period_ratio, of(&natural).period_ratio);
+        assert_eq!(of(series).harmonics, of(&natural).harmonics);
+        assert_eq!(of(series).period_ratio, of(&natural).period_ratio);
     }
     assert_eq!(x_max.x_max[1..], [1, 0, 0, 0, 0, 0, 0].map(Rational::from));
     assert_eq!(x_max.frequency_ratio, natural.of_amplitude.unwrap().frequency_ratio);

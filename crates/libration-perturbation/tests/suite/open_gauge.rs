@@ -15,7 +15,7 @@ fn gauge() -> Vec<Rational> {
 }
 
 fn coefficients(expansion: &Expansion, harmonic: u32, order: u32) -> Rational {
-    let series = expansion.harmonic(harmonic as usize).map(|it| it.cos.clone()).unwrap_or_default();
+    let series = expansion.harmonic(harmonic as usize).map(|term| term.cos.clone()).unwrap_or_default();
     series.get(order as usize).cloned().unwrap_or_else(|| Rational::from(0))
 }
 

@@ -25,8 +25,8 @@ fn the_catalogue_agrees_with_perturbation_theory() {
         let amplitude = 0.02;
         let ratio = SeriesEvaluation::new(series, amplitude).value();
         let omega0 = oscillator.omega0_squared().to_f64().sqrt();
-        let place = oscillator.equilibrium().to_f64() + amplitude;
-        let orbit = Orbit::released(oscillator.equation(), place, &Quiet).unwrap();
+        let position = oscillator.equilibrium().to_f64() + amplitude;
+        let orbit = Orbit::released(oscillator.equation(), position, &Quiet).unwrap();
         let allowed = orbit.period_uncertainty() / orbit.period() + 1e-14;
         assert_within(orbit.frequency() / omega0, ratio, allowed * ratio, named.key);
         compared += 1;

@@ -37,8 +37,8 @@ fn a_force_of_one_size_has_parabolas() {
     let constant = law("x'' + 2*sign(x) = 0");
     for amplitude in [1e-6, 1.0, 50.0] {
         let exact = 2.0 * PI / (4.0 * libm::sqrt(amplitude));
-        let found = constant.frequency_at(amplitude).unwrap();
-        assert!((found / exact - 1.0).abs() < 2e-15, "{amplitude}: {found} {exact}");
+        let computed = constant.frequency_at(amplitude).unwrap();
+        assert!((computed / exact - 1.0).abs() < 2e-15, "{amplitude}: {computed} {exact}");
     }
     for (n, harmonic) in constant.harmonics(8).into_iter().enumerate() {
         let k = PI * f64::from(u32::try_from(harmonic.k).unwrap());
@@ -90,8 +90,8 @@ fn one_power_is_recognised_however_it_is_written() {
         ("x'' = -(x - 1)*abs(1 - x)", "2", "1"),
         ("x'' = x^3 - 3*x^3 - x + x", "3", "2"),
     ] {
-        let found = force(text).unwrap_or_else(|| panic!("{text}"));
-        let told = (found.exponent().to_string(), found.strength().to_string());
+        let power = force(text).unwrap_or_else(|| panic!("{text}"));
+        let told = (power.exponent().to_string(), power.strength().to_string());
         assert_eq!(told, (exponent.to_owned(), strength.to_owned()), "{text}");
     }
     let about = PurePower::of(&"x'' = -(x - 3)^3".parse().unwrap(), Some(&"3".parse().unwrap())).unwrap();

@@ -156,13 +156,13 @@ fn the_number_of_terms_needed_is_the_true_one() {
     for row in Table::read("series_terms_needed.csv").rows() {
         let (amplitude, tolerance) = (row.input("degrees").to_radians(), row.input("tolerance"));
         let count = |name: &str| row.text(name).parse::<usize>().ok();
-        let place = format!("{} at {}", row.text("tolerance"), row.text("degrees"));
-        let found = SeriesEvaluation::new(&slow, amplitude);
-        assert_eq!(found.corrections_needed(tolerance), count("period"), "{place}");
+        let case = format!("{} at {}", row.text("tolerance"), row.text("degrees"));
+        let evaluation = SeriesEvaluation::new(&slow, amplitude);
+        assert_eq!(evaluation.corrections_needed(tolerance), count("period"), "{case}");
         let bound = |power| pendulum_period_remainder(amplitude, power / 2);
-        assert_eq!(found.with_bound(bound).corrections_needed(tolerance), count("certified"), "{place}");
-        let found = SeriesEvaluation::new(&fast, amplitude).corrections_needed(tolerance);
-        assert_eq!(found, count("frequency"), "{place}");
+        assert_eq!(evaluation.with_bound(bound).corrections_needed(tolerance), count("certified"), "{case}");
+        let needed = SeriesEvaluation::new(&fast, amplitude).corrections_needed(tolerance);
+        assert_eq!(needed, count("frequency"), "{case}");
     }
 }
 
@@ -185,8 +185,8 @@ fn estimated_remainders_cover_the_truth_within_a_small_factor() {
         let amplitude = degrees.to_radians();
         let truth = 1.0 / exact(amplitude);
         for corrections in [12, 20, 30] {
-            let found = SeriesEvaluation::new(&even(&frequency_in_amplitude(corrections)), amplitude);
-            let last = found.steps()[corrections];
+            let evaluation = SeriesEvaluation::new(&even(&frequency_in_amplitude(corrections)), amplitude);
+            let last = evaluation.steps()[corrections];
             let missing = (truth - last.sum).abs() - f64::EPSILON;
             assert!(missing <= last.remainder.size, "{degrees} {corrections}: {missing:e} {last:?}");
             assert_eq!(last.remainder.certainty, Certainty::Estimated);
@@ -196,9 +196,9 @@ fn estimated_remainders_cover_the_truth_within_a_small_factor() {
 
 #[test]
 fn outside_the_circle_of_convergence_nothing_is_promised() {
-    let found = SeriesEvaluation::new(&even(&duffing(20)), 1.5);
-    assert_eq!(found.steps()[19].remainder.size, f64::INFINITY);
-    assert_eq!(found.corrections_needed(0.1), None);
+    let evaluation = SeriesEvaluation::new(&even(&duffing(20)), 1.5);
+    assert_eq!(evaluation.steps()[19].remainder.size, f64::INFINITY);
+    assert_eq!(evaluation.corrections_needed(0.1), None);
     assert_eq!(SeriesEvaluation::new(&[], 1.0).corrections_needed(0.1), None);
 }
 
@@ -206,8 +206,8 @@ fn outside_the_circle_of_convergence_nothing_is_promised() {
 fn what_is_not_finite_gives_nan() {
     let series = period_in_amplitude(10);
     for x in [f64::NAN, f64::INFINITY, -f64::INFINITY] {
-        let found = SeriesEvaluation::new(&series, x);
-        assert!(found.value().is_nan() && found.corrections_needed(1.0).is_none());
+        let evaluation = SeriesEvaluation::new(&series, x);
+        assert!(evaluation.value().is_nan() && evaluation.corrections_needed(1.0).is_none());
         assert!(Pade::new(&series, 2, 2).unwrap().value_at(x).is_nan());
     }
     for x in [1e-300, 1e300, -0.0] {
@@ -233,10 +233,10 @@ fn radii_of_convergence_are_found_with_honest_ranges() {
         ("even pair", even(&pair(40, 9)), 3.0, 0.02, Singularity::Pair { angle }),
     ];
     for (name, series, radius, error, singularity) in cases {
-        let found = Convergence::estimate(&series).unwrap();
-        assert!((found.radius / radius - 1.0).abs() < error, "{name}: {found:?}");
-        assert!(found.at_least <= radius && radius <= found.at_most, "{name}: {found:?}");
-        match (found.singularity, singularity) {
+        let estimate = Convergence::estimate(&series).unwrap();
+        assert!((estimate.radius / radius - 1.0).abs() < error, "{name}: {estimate:?}");
+        assert!(estimate.at_least <= radius && radius <= estimate.at_most, "{name}: {estimate:?}");
+        match (estimate.singularity, singularity) {
             (Singularity::Pair { angle: a }, Singularity::Pair { angle: b }) => {
                 assert!((a - b).abs() < 0.02, "{name}: {a}");
             }
@@ -247,15 +247,18 @@ fn radii_of_convergence_are_found_with_honest_ranges() {
 
 #[test]
 fn twelve_coefficients_are_enough_for_a_pair_of_singularities() {
-    let found = Convergence::estimate(&CUBIC_QUINTIC.map(rational)).unwrap();
-    assert!(found.at_least < 1.0 && 1.0 < found.at_most && found.at_most - found.at_least < 0.2, "{found:?}");
-    let Singularity::Pair { angle } = found.singularity else { panic!("{found:?}") };
-    assert!((angle - 2.0 * PI / 3.0).abs() < 0.03, "{angle}");
-    let found = Convergence::estimate(&even(&VAN_DER_POL.map(rational))).unwrap();
-    assert_eq!(found.stride, 2);
+    let estimate = Convergence::estimate(&CUBIC_QUINTIC.map(rational)).unwrap();
     assert!(
-        found.at_least < 1.85 && 1.85 < found.at_most && found.at_most - found.at_least < 0.2,
-        "{found:?}"
+        estimate.at_least < 1.0 && 1.0 < estimate.at_most && estimate.at_most - estimate.at_least < 0.2,
+        "{estimate:?}"
+    );
+    let Singularity::Pair { angle } = estimate.singularity else { panic!("{estimate:?}") };
+    assert!((angle - 2.0 * PI / 3.0).abs() < 0.03, "{angle}");
+    let estimate = Convergence::estimate(&even(&VAN_DER_POL.map(rational))).unwrap();
+    assert_eq!(estimate.stride, 2);
+    assert!(
+        estimate.at_least < 1.85 && 1.85 < estimate.at_most && estimate.at_most - estimate.at_least < 0.2,
+        "{estimate:?}"
     );
 }
 
@@ -266,9 +269,9 @@ fn what_coefficients_do_not_tell_is_not_claimed() {
     assert_eq!(Convergence::estimate(&[Rational::from(1), Rational::from(0)]), None);
     // Signs of no pattern: no direction.
     let signs = [1, 1, -1, 1, -1, -1, -1, 1, 1, -1, 1, 1, 1, -1, -1, 1, -1, 1].map(Rational::from);
-    let found = Convergence::estimate(&signs).unwrap();
-    assert_eq!(found.singularity, Singularity::Unclear);
-    assert!(found.at_least <= 1.0 && found.at_most >= 1.0, "{found:?}");
+    let estimate = Convergence::estimate(&signs).unwrap();
+    assert_eq!(estimate.singularity, Singularity::Unclear);
+    assert!(estimate.at_least <= 1.0 && estimate.at_most >= 1.0, "{estimate:?}");
     // eˣ converges everywhere: no upper end, or one beyond what its terms have reached.
     let mut term = Rational::from(1);
     let exponential: Vec<Rational> = (1..25)
@@ -277,9 +280,9 @@ fn what_coefficients_do_not_tell_is_not_claimed() {
             term.clone()
         })
         .collect();
-    let found = Convergence::estimate(&exponential).unwrap();
-    assert_eq!(found.at_most, f64::INFINITY, "{found:?}");
-    assert!(found.at_least > 10.0, "{found:?}");
+    let estimate = Convergence::estimate(&exponential).unwrap();
+    assert_eq!(estimate.at_most, f64::INFINITY, "{estimate:?}");
+    assert!(estimate.at_least > 10.0, "{estimate:?}");
 }
 
 fn fractions(text: &str) -> Vec<Rational> {
@@ -294,14 +297,16 @@ fn pade_approximants_are_those_of_elimination() {
         let pade = Pade::new(&series, m, n).unwrap();
         assert_eq!(pade.numerator(), fractions(row.text("numerator")), "[{m}/{n}]");
         assert_eq!(pade.denominator(), fractions(row.text("denominator")), "[{m}/{n}]");
-        let parts =
-            |name: &str| -> Vec<f64> { row.text(name).split(' ').map(|it| it.parse().unwrap()).collect() };
+        let parts = |name: &str| -> Vec<f64> {
+            row.text(name).split(' ').map(|number| number.parse().unwrap()).collect()
+        };
         let golden =
             parts("poles_re").into_iter().zip(parts("poles_im")).map(|(re, im)| Complex::new(re, im));
         let poles = pade.poles();
         assert_eq!(poles.len(), n);
         for pole in golden {
-            let nearest = poles.iter().map(|it| (it.position - pole).abs()).fold(f64::MAX, f64::min);
+            let nearest =
+                poles.iter().map(|estimate| (estimate.position - pole).abs()).fold(f64::MAX, f64::min);
             // The tenth pole of ten is the worst conditioned one.
             assert!(nearest < 1e-6 * pole.abs(), "[{m}/{n}] {pole:?} {nearest:e}");
         }

@@ -23,11 +23,11 @@ fn errors(decay: &Decay, order: usize, damping_order: usize) -> [f64; 3] {
         largest[0] = largest[0].max((at.amplitude / turn.amplitude.radians() - 1.0).abs());
         largest[1] = largest[1].max((at.phase - PI * f64::from(number)).abs());
     }
-    let own = slow.turning_points(turns.len());
-    assert_eq!(own.len(), turns.len());
-    for (pair, exact) in own.windows(3).zip(turns.windows(3)) {
-        let [found, exact] = [pair[2].time - pair[0].time, exact[2].time - exact[0].time];
-        largest[2] = largest[2].max((found / exact - 1.0).abs());
+    let slow_turns = slow.turning_points(turns.len());
+    assert_eq!(slow_turns.len(), turns.len());
+    for (pair, exact) in slow_turns.windows(3).zip(turns.windows(3)) {
+        let [computed, exact] = [pair[2].time - pair[0].time, exact[2].time - exact[0].time];
+        largest[2] = largest[2].max((computed / exact - 1.0).abs());
     }
     largest
 }

@@ -83,8 +83,8 @@ fn dry_friction_on_a_spring_takes_the_same_from_each_swing() {
 fn turning_points_follow_their_first_integrals() {
     let factor = |value: &PiSum, power: i32| match value.terms() {
         [] => Rational::from(0),
-        [(own, factor)] => {
-            assert_eq!(*own, power);
+        [(exponent, factor)] => {
+            assert_eq!(*exponent, power);
             factor.to_rational().unwrap().clone()
         }
         other => panic!("{other:?}"),
@@ -211,9 +211,9 @@ fn what_conserves_energy_has_no_slow_change() {
         assert!(flow.amplitude_rate.iter().flatten().all(PiSum::is_zero), "{text}");
         let oscillator = Oscillator::new(&equation(undamped)).unwrap();
         let of_amplitude = expand(&oscillator, 6, &Gauge::XMax, &Quiet).unwrap().frequency_ratio;
-        let found: Vec<Rational> =
+        let computed: Vec<Rational> =
             flow.phase_rate[0].iter().map(|value| value.to_rational().unwrap()).collect();
-        assert_eq!(found, of_amplitude);
+        assert_eq!(computed, of_amplitude);
     }
 }
 

@@ -71,9 +71,10 @@ fn assert_the_numbers_agree(text: &str, values: &[(&str, &str)], order: usize, g
     assert_eq!(value(&symbolic.series.omega0_squared, values), numbers.omega0_squared, "{text}");
     let (symbolic, numbers) = (all(&symbolic.series), all(&numbers));
     assert_eq!(symbolic.len(), numbers.len(), "{text}");
-    for ((name, own), (other, theirs)) in symbolic.iter().zip(&numbers) {
-        let own: Vec<Rational> = own.iter().map(|coefficient| value(coefficient, values)).collect();
-        assert_eq!((name, &own), (other, theirs), "{text}, {gauge}");
+    for ((name, series), (other, theirs)) in symbolic.iter().zip(&numbers) {
+        let with_numbers: Vec<Rational> =
+            series.iter().map(|coefficient| value(coefficient, values)).collect();
+        assert_eq!((name, &with_numbers), (other, theirs), "{text}, {gauge}");
     }
 }
 
@@ -118,9 +119,9 @@ fn all_coefficients_are_those_of_another_algebra_system() {
         let harmonics =
             series.harmonics.iter().map(|harmonic| (format!("cos {}", harmonic.k), harmonic.cos.clone()));
         let all = std::iter::once(("frequency".to_owned(), series.frequency_ratio.clone())).chain(harmonics);
-        let own: BTreeMap<(String, String), String> = all
+        let computed: BTreeMap<(String, String), String> = all
             .flat_map(|(name, series)| {
-                series.into_iter().enumerate().map(move |(n, it)| (name.clone(), n, it))
+                series.into_iter().enumerate().map(move |(n, coefficient)| (name.clone(), n, coefficient))
             })
             .filter(|(_, _, coefficient)| !coefficient.is_zero())
             .map(|(name, n, coefficient)| ((name, n.to_string()), terms(&coefficient, &letters)))
@@ -129,8 +130,8 @@ fn all_coefficients_are_those_of_another_algebra_system() {
         let expected: BTreeMap<(String, String), String> = rows
             .map(|row| ((row.text("quantity").into(), row.text("power").into()), row.text("terms").into()))
             .collect();
-        assert_eq!(own, expected, "{text}");
-        compared += own.len();
+        assert_eq!(computed, expected, "{text}");
+        compared += computed.len();
     }
     assert_eq!(compared, table.rows().count());
 }
@@ -202,9 +203,10 @@ fn an_equilibrium_may_be_a_formula_of_the_letters() {
     let expansion = expand_symbolically(&oscillator, 5, &Gauge::XMax, &Quiet).unwrap();
     let numbers = wells.with(&[("a", "4".parse().unwrap()), ("b", "9".parse().unwrap())]).unwrap();
     let numbers = expand(&Oscillator::new(&numbers).unwrap(), 5, &Gauge::XMax, &Quiet).unwrap();
-    let own = all(&expansion.series).into_iter().flat_map(|(_, series)| series);
-    let own: Vec<Rational> = own.map(|own| value(&own, &[("a", "4"), ("b", "9")])).collect();
-    assert_eq!(own, all(&numbers).into_iter().flat_map(|(_, series)| series).collect::<Vec<_>>());
+    let of_letters = all(&expansion.series).into_iter().flat_map(|(_, series)| series);
+    let computed: Vec<Rational> =
+        of_letters.map(|coefficient| value(&coefficient, &[("a", "4"), ("b", "9")])).collect();
+    assert_eq!(computed, all(&numbers).into_iter().flat_map(|(_, series)| series).collect::<Vec<_>>());
 }
 
 #[test]
@@ -238,7 +240,7 @@ fn what_letters_do_not_allow_is_refused_with_the_reason() {
         let refusal = match SymbolicOscillator::new(&equation(text)) {
             Ok(oscillator) => expand_symbolically(&oscillator, 3, &Gauge::Fundamental, &Quiet)
                 .map(|_| ())
-                .map_err(|it| it.to_string()),
+                .map_err(|refusal| refusal.to_string()),
             Err(refusal) => Err(refusal.to_string()),
         };
         assert!(refusal.is_err(), "{text}");
@@ -306,11 +308,11 @@ fn what_is_found_before_an_interruption_is_kept() {
         if status.done < 4 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     };
     let stopped = expand_symbolically(&oscillator, 9, &Gauge::Fundamental, &progress);
-    let Err(SymbolicExpansionError::Interrupted { known: Some(known) }) = stopped else {
+    let Err(SymbolicExpansionError::Interrupted { known: Some(partial) }) = stopped else {
         panic!("not interrupted: {stopped:?}")
     };
-    let whole = expand_symbolically(&oscillator, known.series.order, &Gauge::Fundamental, &Quiet).unwrap();
-    assert!((1..9).contains(&known.series.order));
-    assert_eq!(all(&known.series), all(&whole.series));
-    assert_eq!(known.series.certificate, Certificate::Unchecked);
+    let whole = expand_symbolically(&oscillator, partial.series.order, &Gauge::Fundamental, &Quiet).unwrap();
+    assert!((1..9).contains(&partial.series.order));
+    assert_eq!(all(&partial.series), all(&whole.series));
+    assert_eq!(partial.series.certificate, Certificate::Unchecked);
 }

@@ -56,8 +56,8 @@ fn cube(x: f64) -> f64 {
     x * x * x
 }
 
-fn assert_near(found: f64, expected: f64, scale: f64, what: &str) {
-    assert!((found - expected).abs() <= 1e-13 * scale, "{what}: {found} instead of {expected}");
+fn assert_near(computed: f64, expected: f64, scale: f64, what: &str) {
+    assert!((computed - expected).abs() <= 1e-13 * scale, "{what}: {computed} instead of {expected}");
 }
 
 /// Nayfeh & Mook, Nonlinear Oscillations (1979), section 4.1, with their γ = σT − β as −φ.
@@ -128,17 +128,17 @@ fn textbook_slow_flows_are_those_of_sympy() {
         for state in row.text("steady").split(';').filter(|state| !state.is_empty()) {
             let numbers: Vec<f64> = state
                 .split(' ')
-                .map(|it| it.parse::<Expression>().map(|it| it.to_f64().unwrap()).unwrap())
+                .map(|word| word.parse::<Expression>().map(|number| number.to_f64().unwrap()).unwrap())
                 .collect();
             let [amplitude, sigma, trace, determinant] = numbers[..] else { panic!("{state}") };
-            let place = at.len() - 3;
-            at[place] = ("sigma", sigma);
-            at[place + 1] = ("A", amplitude);
+            let sigma_index = at.len() - 3;
+            at[sigma_index] = ("sigma", sigma);
+            at[sigma_index + 1] = ("A", amplitude);
             let scale = value(&relation.replace(" - ", " + ").replacen('-', "", 1), &at).abs();
             assert_near(value(relation, &at), 0.0, scale, text);
-            let found = |formula: &Option<String>| value(formula.as_ref().unwrap(), &at);
-            assert_near(found(&flow.steady_state.trace), trace, 1.0, text);
-            assert_near(found(&flow.steady_state.determinant), determinant, 1.0, text);
+            let condition = |formula: &Option<String>| value(formula.as_ref().unwrap(), &at);
+            assert_near(condition(&flow.steady_state.trace), trace, 1.0, text);
+            assert_near(condition(&flow.steady_state.determinant), determinant, 1.0, text);
             steady_states += 1;
         }
         rows += 1;
@@ -211,7 +211,7 @@ fn assert_errors_fall(
 ) {
     for order in orders {
         let sizes = [largest, largest / 2.0, largest / 4.0];
-        let found = sizes.map(|eps| {
+        let distances = sizes.map(|eps| {
             let mut values = values.to_vec();
             values.push(("eps", eps));
             let w0 = values.iter().find(|(name, _)| *name == "w0").unwrap().1;
@@ -219,10 +219,10 @@ fn assert_errors_fall(
             errors(Driven { text, resonance, small: "", order }, &values, drive)
         });
         // Zero crossings of one of the two errors do not count.
-        for pair in found.map(|[amplitude, phase]| libm::hypot(amplitude, phase)).windows(2) {
+        for pair in distances.map(|[amplitude, phase]| libm::hypot(amplitude, phase)).windows(2) {
             let exponent = libm::log2(pair[0] / pair[1]);
             let is_right = pair[1] < 1e-11 || exponent > f64::from(u32::try_from(order).unwrap()) - 0.35;
-            assert!(is_right, "{text}, order {order}: {found:?} falls with the power {exponent}");
+            assert!(is_right, "{text}, order {order}: {distances:?} falls with the power {exponent}");
         }
     }
 }
@@ -261,7 +261,7 @@ const COMPARED: [(f64, f64, i32); 25] = [
 /// The value of a parameter that is small of an order; where the amplitude is small of order ε too, as the sine has it, drives and steady
 /// torques have a further ε.
 fn scaled(text: &str, small: &str, (name, value): (&str, f64), eps: f64) -> f64 {
-    let order = small.split(',').filter_map(|it| it.split_once(':')).find(|(other, _)| *other == name);
+    let order = small.split(',').filter_map(|pair| pair.split_once(':')).find(|(other, _)| *other == name);
     let order = order.map_or(0, |(_, order)| order.parse::<i32>().unwrap());
     let is_torque = text.contains("sin(x)") && (name == "F" || name == "R");
     value * libm::pow(eps, f64::from(order + i32::from(is_torque)))
@@ -278,7 +278,7 @@ fn every_textbook_motion_is_missed_by_the_stated_power_of_eps() {
         let resonance = (p.parse().unwrap(), q.parse().unwrap());
         let order: usize = row.text("order").parse().unwrap();
         let numbers = numbers(row.text("values"));
-        let found = [largest, largest / 2.0, largest / 4.0].map(|eps| {
+        let distances = [largest, largest / 2.0, largest / 4.0].map(|eps| {
             let mut values: Vec<(&str, f64)> = numbers
                 .iter()
                 .map(|(name, value)| (name.as_str(), scaled(text, small, (name, *value), eps)))
@@ -290,13 +290,13 @@ fn every_textbook_motion_is_missed_by_the_stated_power_of_eps() {
                 f64::from(resonance.0) / f64::from(resonance.1) * w0 + libm::pow(eps, small_power) * sigma;
             errors(Driven { text, resonance, small, order }, &values, drive)
         });
-        let sizes = found.map(|[amplitude, phase]| libm::hypot(amplitude, phase));
+        let sizes = distances.map(|[amplitude, phase]| libm::hypot(amplitude, phase));
         for pair in sizes.windows(2) {
             let exponent = libm::log2(pair[0] / pair[1]);
             // The next term of the error is smaller by a factor of ε.
             assert!(
                 (exponent - f64::from(power)).abs() < 0.06,
-                "{text}: {found:?} has the power {exponent} instead of {power}"
+                "{text}: {distances:?} has the power {exponent} instead of {power}"
             );
         }
     }
@@ -405,8 +405,10 @@ fn drive_and_parametric_drive_together_are_eliminated_by_a_resultant() {
         let at =
             [("mu", mu), ("w0", w0), ("h", h), ("a", a), ("F", force), ("A", amplitude), ("sigma", sigma)];
         assert_near(value(relation, &at), 0.0, 100.0, "relation");
-        let beside: Vec<_> =
-            at.iter().map(|(name, it)| (*name, if *name == "sigma" { it + 0.1 } else { *it })).collect();
+        let beside: Vec<_> = at
+            .iter()
+            .map(|(name, number)| (*name, if *name == "sigma" { number + 0.1 } else { *number }))
+            .collect();
         assert!(value(relation, &beside).abs() > 1e-6, "{at:?}");
     }
 }
@@ -457,7 +459,10 @@ fn terms_without_a_small_parameter_act_at_the_order_that_is_not_given() {
 fn zeros_that_the_truncation_makes_are_no_steady_states() {
     let flow = flow("x'' + w0^2*x = eps*(m*(1 - x^2)*x' + F*cos(W*t))", "1/1", "", 3);
     let value = |name: &str| {
-        [("w0", 1.0), ("m", 0.8), ("F", 1.5), ("eps", 0.04)].iter().find(|it| it.0 == name).map(|it| it.1)
+        [("w0", 1.0), ("m", 0.8), ("F", 1.5), ("eps", 0.04)]
+            .iter()
+            .find(|pair| pair.0 == name)
+            .map(|pair| pair.1)
     };
     let states = flow.at(&value, Some(1.008)).unwrap().steady_states().unwrap();
     assert_eq!(states.len(), 1, "{states:?}");
@@ -487,23 +492,23 @@ fn errors_of_amplitude_and_phase_are_those_from_the_integrated_motion() {
         for (amplitude, phase) in exact {
             let distance = |state: &JudgedState| (state.state.amplitude - amplitude).abs();
             let nearest = states.found.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
-            let found = nearest.filter(|nearest| distance(nearest) < 0.02).unwrap();
-            let [_, error] = found.errors.unwrap();
-            let missed = (found.state.phase - phase).abs();
+            let nearest_state = nearest.filter(|nearest| distance(nearest) < 0.02).unwrap();
+            let [_, error] = nearest_state.errors.unwrap();
+            let missed = (nearest_state.state.phase - phase).abs();
             // Ratios of 0.8 to 1.1, and 2.3 at order 4, where the phase moves to the next order by a fifth of its error only.
             assert!(missed < 2.5 * error, "order {order}: phase {missed} {error}");
-            assert_eq!(found.is_stable, Some(amplitude > 2.0));
+            assert_eq!(nearest_state.is_stable, Some(amplitude > 2.0));
         }
     }
     // Orders 3 and 5 of the undriven pendulum are zero.
     let text = "x'' + 2*mu*x' + sin(x) = F*cos(W*t)";
     let of = Driven { text, resonance: (1, 1), small: "mu:2,F:2", order: 2 };
     let states = judged(of, &[("mu", 0.01), ("F", 0.01)], 0.99);
-    let [found] = states.found[..] else { panic!("{states:?}") };
-    let [amplitude, phase] = found.errors.unwrap();
-    let missed = (found.state.amplitude - 0.471_496_482).abs();
+    let [state] = states.found[..] else { panic!("{states:?}") };
+    let [amplitude, phase] = state.errors.unwrap();
+    let missed = (state.state.amplitude - 0.471_496_482).abs();
     assert!(missed > 0.002 && missed < 1.5 * amplitude, "{missed} {amplitude}");
-    assert!((found.state.phase + 1.937_332_461).abs() < 1.5 * phase, "{found:?}");
+    assert!((state.state.phase + 1.937_332_461).abs() < 1.5 * phase, "{state:?}");
 }
 
 /// Three states by shooting with `SciPy` (DOP853, rtol 1e-11), their stability by the multipliers.
@@ -514,14 +519,18 @@ fn states_that_the_series_does_not_reach_are_left_out_by_name() {
     for order in 1..=4 {
         let of = Driven { text, resonance: (1, 1), small: "", order };
         let states = judged(of, &[("eps", 0.1), ("m", 0.2), ("a", 1.0), ("F", 1.0)], 1.3);
-        let all = states.found.iter().map(|it| it.state).chain(states.left_out.iter().map(|it| it.state));
+        let all = states
+            .found
+            .iter()
+            .map(|state| state.state)
+            .chain(states.left_out.iter().map(|state| state.state));
         let near = |amplitude: f64| all.clone().filter(|all| (all.amplitude - amplitude).abs() < 0.3).count();
         assert!(near(0.145) == 1 && near(3.0) >= 2, "order {order}: {states:?}");
-        for found in &states.found {
-            let distance = |amplitude: f64| (found.state.amplitude - amplitude).abs();
+        for state in &states.found {
+            let distance = |amplitude: f64| (state.state.amplitude - amplitude).abs();
             let (_, is_stable) =
                 exact.iter().min_by(|a, b| distance(a.0).total_cmp(&distance(b.0))).copied().unwrap();
-            assert!(found.is_stable.is_none_or(|it| it == is_stable), "order {order}: {states:?}");
+            assert!(state.is_stable.is_none_or(|stable| stable == is_stable), "order {order}: {states:?}");
         }
     }
 }
@@ -568,11 +577,11 @@ fn quotients_roots_and_functions_of_small_terms_are_power_series() {
         ("w^2*x/(1 + eps*h*cos(2*W*t))", "w^2*x*(1 - eps*h*cos(2*W*t) + eps^2*h^2*cos(2*W*t)^2)"),
     ];
     for (force, polynomial) in pairs {
-        let [found, expected] = [force, polynomial].map(driven);
-        assert_eq!(found.amplitude_rate, expected.amplitude_rate, "{force}");
-        assert_eq!(found.phase_rate, expected.phase_rate, "{force}");
-        assert_eq!(found.displacement, expected.displacement, "{force}");
-        assert!(found.order_note.unwrap().contains("power series in the small parameters"), "{force}");
+        let [computed, expected] = [force, polynomial].map(driven);
+        assert_eq!(computed.amplitude_rate, expected.amplitude_rate, "{force}");
+        assert_eq!(computed.phase_rate, expected.phase_rate, "{force}");
+        assert_eq!(computed.displacement, expected.displacement, "{force}");
+        assert!(computed.order_note.unwrap().contains("power series in the small parameters"), "{force}");
     }
     // Of the displacement alone, as of other functions, the amplitude is small.
     let softening = flow("x'' + w^2*x/sqrt(1 + x^2) = 0", "", "", 2);
@@ -591,9 +600,9 @@ fn errors_with_a_varying_inertia_fall_with_the_power_of_eps() {
 /// About 1 the double well has w0² = 2, x″ = −2u − 3u² − u³ with u = x − 1, and the frequency √2·(1 − 3A²/8 + …): (9·a3·w² − 10·a2²)/(24·w³).
 #[test]
 fn slow_flows_are_about_any_equilibrium() {
-    let about = |text: &str, place: &str| {
+    let about = |text: &str, equilibrium: &str| {
         let options = SymbolicSlowFlowOptions {
-            about: Some(place.parse().unwrap()),
+            about: Some(equilibrium.parse().unwrap()),
             order: Some(2),
             ..options("1/1", "m:2,F:2", 2)
         };

@@ -39,9 +39,9 @@ fn the_order_that_is_not_given_is_one_at_which_the_relation_has_drive_and_dampin
         (DUFFING, "1/1", "c:1,m:1,F:2", 3, "F"),
     ];
     for (text, resonance, small, order, drive) in forms {
-        let found = flow(text, resonance, small, None);
-        assert_eq!(found.order, order, "{text}");
-        let steady = &found.steady_state;
+        let slow_flow = flow(text, resonance, small, None);
+        assert_eq!(slow_flow.order, order, "{text}");
+        let steady = &slow_flow.steady_state;
         let relation = steady.relation.as_ref().unwrap();
         assert!(relation.contains("m^2") && relation.contains(drive), "{text}: {relation}");
         // At a resonance of waves 2φ the determinant has the squares of the damping on both diagonals, which cancel.
@@ -77,12 +77,13 @@ fn peak_and_critical_drive_do_not_depend_on_how_small_drive_and_damping_are_call
 /// The rates vanish up to terms of the next order, which are smaller than those of the drive by a factor of c.
 #[test]
 fn zeros_of_the_relation_are_steady_where_drive_and_damping_are_of_the_second_order() {
-    let found = flow(DUFFING, "1/1", "c:1,m:2,F:2", None);
+    let slow_flow = flow(DUFFING, "1/1", "c:1,m:2,F:2", None);
     let [c, drive] = [0.02, 0.000_8];
-    let of_name =
-        |name: &str| [("c", c), ("m", 0.000_5), ("F", drive)].iter().find(|it| it.0 == name).map(|it| it.1);
+    let of_name = |name: &str| {
+        [("c", c), ("m", 0.000_5), ("F", drive)].iter().find(|pair| pair.0 == name).map(|pair| pair.1)
+    };
     for detuning in [0.004, 0.007, 0.01] {
-        let at = found.at(&of_name, Some(1.0 + detuning)).unwrap();
+        let at = slow_flow.at(&of_name, Some(1.0 + detuning)).unwrap();
         let states = at.steady_states().unwrap();
         assert!(!states.is_empty(), "{detuning}");
         for state in states {
@@ -100,9 +101,9 @@ fn terms_of_higher_order_are_noted() {
     assert_eq!(noted("c:1,m:2,F:1", 1), "terms above order 1 are left out of x'': -m*x'");
     assert_eq!(noted("c:1,m:2,F:2", 2), "");
     let explicit = "x'' + eps^2*m*x'*abs(x') + x + eps*c*x^3 = eps^2*F*W^2*sin(3*W*t)";
-    let found = flow(explicit, "1/1", "", Some(1));
+    let limited = flow(explicit, "1/1", "", Some(1));
     let expected = "terms above order 1 are left out of x'': eps^2*F*W^2*sin(3*W*t) - eps^2*m*x'*abs(x')";
-    assert_eq!(found.order_note.as_deref(), Some(expected));
+    assert_eq!(limited.order_note.as_deref(), Some(expected));
     let by_amplitude = flow("x'' + eps*m*(x^2 - 1)*x' + x + x^3 = 0", "", "", None);
     assert_eq!(
         by_amplitude.order_note.as_deref(),
@@ -118,10 +119,10 @@ fn a_drive_that_does_not_act_is_the_reason_where_no_phase_occurs() {
         ("x'' + m*x' + x + c*x^3 = F*cos(W*t)", "1/1", "c:2,m:1,F:2", 1),
     ];
     for (text, resonance, small, order) in texts {
-        let found = flow(text, resonance, small, Some(order));
-        assert_eq!(found.steady_state.relation, None);
-        assert_eq!(found.steady_state.notes.len(), 1, "{:?}", found.steady_state.notes);
-        assert!(note(&found, "relation").contains("the phase does not occur to order"), "{text}");
+        let slow_flow = flow(text, resonance, small, Some(order));
+        assert_eq!(slow_flow.steady_state.relation, None);
+        assert_eq!(slow_flow.steady_state.notes.len(), 1, "{:?}", slow_flow.steady_state.notes);
+        assert!(note(&slow_flow, "relation").contains("the phase does not occur to order"), "{text}");
     }
 }
 
@@ -130,9 +131,9 @@ fn a_drive_that_does_not_act_is_the_reason_where_no_phase_occurs() {
 fn smooth_harmonics_stand_beside_forces_with_kinks() {
     for kink in ["x'*abs(x')", "sign(x')"] {
         let text = format!("x'' + eps*m*{kink} + x + eps*c*x^3 = eps*F*cos(W*t)");
-        let found = flow(&text, "1/1", "", None);
-        assert_eq!(found.displacement, "A*cos(W*t + phi) + eps*c*A^3/32*cos(3*W*t + 3*phi)", "{kink}");
-        assert!(found.displacement_note.is_some());
+        let slow_flow = flow(&text, "1/1", "", None);
+        assert_eq!(slow_flow.displacement, "A*cos(W*t + phi) + eps*c*A^3/32*cos(3*W*t + 3*phi)", "{kink}");
+        assert!(slow_flow.displacement_note.is_some());
     }
     let second = flow("x'' + eps^2*m*sign(x') + x + eps*c*x^3 = 0", "", "", None);
     assert_eq!(second.order, 2);
@@ -170,8 +171,9 @@ fn two_drives_of_one_frequency_have_peak_trace_and_determinant() {
     let (two, one) = (parametric("F*cos(W*t) + G*sin(W*t)"), parametric("H*cos(W*t)"));
     let at = [("eps", 1.0), ("m", 0.2), ("c", 0.7), ("F", 0.3), ("G", 0.4), ("H", 0.5), ("sigma", 0.3)];
     // The amplitude of a steady state, from the relation of one drive.
-    let found = one.at(&|name| at.iter().find(|it| it.0 == name).map(|it| it.1), Some(2.3)).unwrap();
-    for state in found.steady_states().unwrap() {
+    let at_drive =
+        one.at(&|name| at.iter().find(|pair| pair.0 == name).map(|pair| pair.1), Some(2.3)).unwrap();
+    for state in at_drive.steady_states().unwrap() {
         let at: Vec<_> = at.iter().copied().chain([("A", state.amplitude)]).collect();
         let determinant = value(two.steady_state.determinant.as_ref().unwrap(), &at);
         assert!((determinant - state.determinant).abs() < 1e-12, "{determinant} {state:?}");
@@ -215,9 +217,9 @@ fn orders_that_are_needed_but_out_of_reach_are_said_to_be() {
 #[test]
 fn damping_of_the_highest_order_is_part_of_the_relation_too() {
     for (small, order) in [("c:1,m:2,F:1", 3), ("c:2,m:3,F:1", 5)] {
-        let found = flow(DUFFING, "1/1", small, None);
-        assert_eq!(found.order, order, "{small}");
-        assert!(found.steady_state.relation.as_ref().unwrap().contains("m^2"), "{small}");
+        let slow_flow = flow(DUFFING, "1/1", small, None);
+        assert_eq!(slow_flow.order, order, "{small}");
+        assert!(slow_flow.steady_state.relation.as_ref().unwrap().contains("m^2"), "{small}");
         let lower = flow(DUFFING, "1/1", small, Some(order - 1));
         assert!(note(&lower, "peak_amplitude").contains(&format!("from order {order} on")), "{small}");
     }
@@ -226,28 +228,29 @@ fn damping_of_the_highest_order_is_part_of_the_relation_too() {
 /// Three states: A near F/(2σ) below the backbone, and two at the backbone, the lower of which is unstable.
 #[test]
 fn states_far_from_the_backbone_are_within_reach_where_drive_and_damping_are_of_the_second_order() {
-    let found = flow(DUFFING, "1/1", "c:1,m:2,F:2", None);
+    let slow_flow = flow(DUFFING, "1/1", "c:1,m:2,F:2", None);
     let options = SymbolicSlowFlowOptions {
         small: [("c", 1), ("m", 2), ("F", 2)].map(|(name, order)| (name.to_owned(), order)).to_vec(),
         resonance: Some((1, 1)),
         ..Default::default()
     };
-    let next = next_slow_flow(&equation(DUFFING), &options, &found, &Quiet).unwrap();
-    let of_name =
-        |name: &str| [("c", 0.05), ("m", 0.002), ("F", 0.003)].iter().find(|it| it.0 == name).map(|it| it.1);
+    let next = next_slow_flow(&equation(DUFFING), &options, &slow_flow, &Quiet).unwrap();
+    let of_name = |name: &str| {
+        [("c", 0.05), ("m", 0.002), ("F", 0.003)].iter().find(|pair| pair.0 == name).map(|pair| pair.1)
+    };
     let next = next.at(&of_name, Some(1.02)).unwrap();
-    let states = found.at(&of_name, Some(1.02)).unwrap().judged_states(Some(&next)).unwrap();
+    let states = slow_flow.at(&of_name, Some(1.02)).unwrap().judged_states(Some(&next)).unwrap();
     assert_eq!(states.left_out, []);
-    let stable: Vec<Option<bool>> = states.found.iter().map(|it| it.is_stable).collect();
+    let stable: Vec<Option<bool>> = states.found.iter().map(|state| state.is_stable).collect();
     assert_eq!(stable, [Some(true), Some(false), Some(true)], "{states:?}");
-    for it in &states.found {
+    for judged in &states.found {
         let text = "x'' + 0.002*x' + x + 0.05*x^3 = 0.003*cos(1.02*t)";
-        let (amplitude, phase) = (it.state.amplitude, it.state.phase);
+        let (amplitude, phase) = (judged.state.amplitude, judged.state.phase);
         let start = [amplitude * libm::cos(phase), -1.02 * amplitude * libm::sin(phase)];
         let orbit = Orbit::driven(&equation(text), &start, TAU / 1.02, &Quiet).unwrap();
         let exact = orbit.harmonics(0).terms[1].amplitude();
-        let [error, _] = it.errors.unwrap();
-        assert!((amplitude - exact).abs() < 0.002 * exact.max(0.1) + 2.0 * error, "{it:?} {exact}");
+        let [error, _] = judged.errors.unwrap();
+        assert!((amplitude - exact).abs() < 0.002 * exact.max(0.1) + 2.0 * error, "{judged:?} {exact}");
     }
 }
 
@@ -281,11 +284,12 @@ fn a_drive_of_several_symbols_has_critical_value_and_phase() {
         ("3*F*W^2*cos(W*t)", "F"),
     ];
     for (drive, amplitude) in drives {
-        let found = forced(drive);
-        let steady = &found.steady_state;
+        let slow_flow = forced(drive);
+        let steady = &slow_flow.steady_state;
         assert_eq!(steady.drive_amplitude.as_deref(), Some(amplitude));
         let at = [("m", 0.2), ("c", 0.7)];
-        let [critical, expected] = [steady, &one].map(|it| value(it.critical_drive.as_ref().unwrap(), &at));
+        let [critical, expected] =
+            [steady, &one].map(|steady_state| value(steady_state.critical_drive.as_ref().unwrap(), &at));
         let factor = match amplitude {
             "F" => 3.0,
             "2*F - G" => 0.5,
@@ -295,10 +299,10 @@ fn a_drive_of_several_symbols_has_critical_value_and_phase() {
         let of_name = |name: &str| {
             [("eps", 0.1), ("m", 0.2), ("c", 0.7), ("F", 0.9), ("G", 0.4)]
                 .iter()
-                .find(|it| it.0 == name)
-                .map(|it| it.1)
+                .find(|pair| pair.0 == name)
+                .map(|pair| pair.1)
         };
-        let at = found.at(&of_name, Some(1.01)).unwrap();
+        let at = slow_flow.at(&of_name, Some(1.01)).unwrap();
         let states = at.steady_states().unwrap();
         assert!(!states.is_empty(), "{drive}");
         for state in states {
@@ -335,8 +339,8 @@ fn limit_cycles_have_amplitude_and_frequency_as_formulas() {
         let frequency = value(steady.cycle_frequency.as_ref().unwrap(), &at);
         [amplitude - orbit.harmonics(0).terms[1].amplitude(), frequency - orbit.frequency()]
     });
-    for (place, power) in [(0, 3.0), (1, 4.0)] {
-        let exponent = libm::log2((missed[0][place] / missed[1][place]).abs());
+    for (index, power) in [(0, 3.0), (1, 4.0)] {
+        let exponent = libm::log2((missed[0][index] / missed[1][index]).abs());
         assert!(exponent > power - 0.3, "{missed:?} {exponent}");
     }
 }

@@ -44,9 +44,9 @@ fn work_of_quadratic(a: f64, d: f64) -> f64 {
 
 #[test]
 fn the_first_coefficients_are_those_of_the_half_swing() {
-    let found = with_pi("x'' + x + x*abs(x) = 0", 4, &Gauge::XMax);
-    assert_eq!(found.frequency_ratio[1].to_string(), "4/(3*pi)");
-    assert_eq!(found.certificate, Certificate::Quadrature);
+    let expansion = with_pi("x'' + x + x*abs(x) = 0", 4, &Gauge::XMax);
+    assert_eq!(expansion.frequency_ratio[1].to_string(), "4/(3*pi)");
+    assert_eq!(expansion.certificate, Certificate::Quadrature);
     // T/T0 by the amplitude has no other power of π than 1/π.
     let period = with_pi("x'' + x + x*abs(x) = 0", 9, &Gauge::XMax).of_amplitude.unwrap().period_ratio;
     let powers = |polynomial: &LaurentPolynomial| -> Vec<f64> {
@@ -56,7 +56,7 @@ fn the_first_coefficients_are_those_of_the_half_swing() {
             .collect()
     };
     assert!(period.iter().flat_map(powers).all(|power| power == 0.0 || power == -1.0));
-    assert!(!found.has_all_harmonics);
+    assert!(!expansion.has_all_harmonics);
 }
 
 /// The error of order N falls as the power N of the amplitude.
@@ -78,8 +78,8 @@ fn the_period_is_the_integral_of_the_energy() {
 /// x″ + x + |x|³: half the periods of x ± x³, between turning points of one energy.
 #[test]
 fn an_asymmetric_force_has_half_the_period_of_either_side() {
-    let found = with_pi("x'' + x + abs(x)^3 = 0", 9, &Gauge::Energy);
-    let of = found.of_amplitude.as_ref().unwrap();
+    let expansion = with_pi("x'' + x + abs(x)^3 = 0", 9, &Gauge::Energy);
+    let of = expansion.of_amplitude.as_ref().unwrap();
     let work = |a: f64, d: f64, sign: f64| {
         let rest = a - d;
         d * (a - 0.5 * d) * (1.0 + sign * 0.5 * (a * a + rest * rest))
@@ -94,7 +94,7 @@ fn an_asymmetric_force_has_half_the_period_of_either_side() {
         // The next power is the tenth.
         assert!(error < 3.0 * libm::pow(a, 10.0) + 2e-15, "{a}: {error:e}");
     }
-    let (x_max, x_min) = (numbers(&found.x_max), numbers(&found.x_min));
+    let (x_max, x_min) = (numbers(&expansion.x_max), numbers(&expansion.x_min));
     let rho = 0.1;
     for (x, sign) in [(value(&x_max, rho), 1.0), (-value(&x_min, rho), -1.0)] {
         assert!((x * x + sign * 0.5 * x * x * x * x - rho * rho).abs() < 1e-11);
@@ -142,10 +142,11 @@ fn harmonics_are_those_of_orbits_in_a_sweep() {
 #[test]
 fn every_gauge_gives_the_same_of_the_amplitude_in_a_sweep() {
     let gauges = [Gauge::XMax, Gauge::HalfSwing, Gauge::Energy, "A1=2,A2=1/3".parse().unwrap()];
-    for (place, text) in ["x'' + x + x*abs(x) = 0", "x'' + x + abs(x)^3 + x^2 = 0"].iter().enumerate() {
+    for (force_number, text) in ["x'' + x + x*abs(x) = 0", "x'' + x + abs(x)^3 + x^2 = 0"].iter().enumerate()
+    {
         let natural = with_pi(text, 4, &Gauge::Fundamental);
         // By default one gauge: the first of one force, the last of the other.
-        let run = |(number, _): &(usize, &Gauge)| sweep::is_full() || *number == 3 * place;
+        let run = |(number, _): &(usize, &Gauge)| sweep::is_full() || *number == 3 * force_number;
         for (_, gauge) in gauges.iter().enumerate().filter(run) {
             let other = with_pi(text, 4, gauge);
             let (a, b) = (natural.of_amplitude.clone().unwrap(), other.of_amplitude.clone().unwrap());
@@ -168,6 +169,6 @@ fn what_is_no_series_with_pi_is_given_in_digits_or_not_at_all() {
     assert!(expand_with_pi(&two_sided, 0, &gauge, &Quiet).is_err());
     let irrational = oscillator("x'' + x + sqrt(2)*x*abs(x) = 0");
     assert_eq!(expand_with_pi(&irrational, 3, &gauge, &Quiet).unwrap(), None);
-    let found = expand(&irrational, 2, &gauge, &Quiet).unwrap().frequency_ratio[1].to_f64();
-    assert!((found - 4.0 * 2.0_f64.sqrt() / (3.0 * PI)).abs() < 1e-15);
+    let computed = expand(&irrational, 2, &gauge, &Quiet).unwrap().frequency_ratio[1].to_f64();
+    assert!((computed - 4.0 * 2.0_f64.sqrt() / (3.0 * PI)).abs() < 1e-15);
 }

@@ -37,8 +37,8 @@ const CENTRES: &[(&str, &str, &str, bool, bool)] = &[
 fn centres_of_the_catalogue_are_classified() {
     for (key, at, stiffness, uses_velocity, odd) in CENTRES {
         let kind = if *uses_velocity { Kind::Reversible } else { Kind::Conservative };
-        let found = facts(&NamedOscillator::by_key(key).unwrap().oscillator(&[]).unwrap());
-        assert_eq!(found, ((*at).to_owned(), (*stiffness).to_owned(), kind, *odd), "{key}");
+        let computed = facts(&NamedOscillator::by_key(key).unwrap().oscillator(&[]).unwrap());
+        assert_eq!(computed, ((*at).to_owned(), (*stiffness).to_owned(), kind, *odd), "{key}");
     }
 }
 
@@ -47,8 +47,8 @@ fn limit_cycles_of_the_catalogue_keep_their_strength_open() {
     for key in ["van_der_pol", "rayleigh", "rayleigh_cubic"] {
         let named = NamedOscillator::by_key(key).unwrap();
         let kind = Kind::LimitCycle { parameter: "mu".to_owned() };
-        let found = facts(&named.oscillator(&[]).unwrap());
-        assert_eq!(found, ("0".to_owned(), "1".to_owned(), kind, true), "{key}");
+        let computed = facts(&named.oscillator(&[]).unwrap());
+        assert_eq!(computed, ("0".to_owned(), "1".to_owned(), kind, true), "{key}");
         let set = named.oscillator(&[("mu", "0.1".parse().unwrap())]).unwrap_err().to_string();
         assert!(set.contains("small motions grow") && set.contains("its strength open"), "{set}");
     }
@@ -58,9 +58,9 @@ fn limit_cycles_of_the_catalogue_keep_their_strength_open() {
 fn every_entry_of_the_catalogue_is_used_by_the_tests_above_or_refused() {
     let cycles = ["van_der_pol", "rayleigh", "rayleigh_cubic"];
     for named in catalogue() {
-        let known = CENTRES.iter().any(|(key, ..)| *key == named.key) || cycles.contains(&named.key);
+        let is_used = CENTRES.iter().any(|(key, ..)| *key == named.key) || cycles.contains(&named.key);
         let refused = named.oscillator(&[]).is_err();
-        assert!(known != refused, "{}", named.key);
+        assert!(is_used != refused, "{}", named.key);
         for key in named.also {
             assert_eq!(NamedOscillator::by_key(key).unwrap().key, named.key);
         }
@@ -96,13 +96,13 @@ fn equilibria_that_are_fractions_are_found_exactly() {
         ("x'' = -sqrt(2)*x/sqrt(2)", "0", "1"),
         ("x'' = 3 - x", "3", "1"),
     ] {
-        let (found, stiff, _, _) = facts(&oscillator(text));
+        let (equilibrium, stiff, _, _) = facts(&oscillator(text));
         assert_eq!(
             stiff.parse::<Expression>().unwrap().to_rational(),
             stiffness.parse::<Expression>().unwrap().to_rational(),
             "{text}: {stiff}"
         );
-        assert_eq!(found, at, "{text}");
+        assert_eq!(equilibrium, at, "{text}");
     }
 }
 
@@ -114,18 +114,18 @@ fn equilibria_that_are_no_fractions_are_said_to_be_in_digits() {
         ("x'' = 2 - exp(x)", "0.693147180559945309417232121458…", 2.0),
         ("x'' = sin(x)", "3.14159265358979323846264338328…", 1.0),
     ] {
-        let found = oscillator(text);
-        assert_eq!(found.equilibrium().to_string(), at, "{text}");
-        assert!((found.omega0_squared().to_f64() - stiffness).abs() < 1e-15, "{text}");
-        assert!(found.equilibrium().exact().is_none() && !found.is_odd());
+        let computed = oscillator(text);
+        assert_eq!(computed.equilibrium().to_string(), at, "{text}");
+        assert!((computed.omega0_squared().to_f64() - stiffness).abs() < 1e-15, "{text}");
+        assert!(computed.equilibrium().exact().is_none() && !computed.is_odd());
     }
 }
 
 #[test]
 fn an_equilibrium_may_be_given() {
-    let about = |text: &str, place: &str| {
-        Oscillator::about(&text.parse().unwrap(), &place.parse().unwrap())
-            .map(|it| it.equilibrium().to_string())
+    let about = |text: &str, position: &str| {
+        Oscillator::about(&text.parse().unwrap(), &position.parse().unwrap())
+            .map(|centre| centre.equilibrium().to_string())
     };
     assert_eq!(about("x'' = x - x^3", "-1").unwrap(), "-1");
     assert_eq!(about("x'' = sin(x)", "3*pi").unwrap(), "9.42477796076937971538793014984…");
@@ -250,9 +250,9 @@ fn a_force_with_a_power_series_on_either_side_has_two_sides() {
         ("x'' = -(x - 1) - (x - 1)^3*abs(1 - x)", "1", true),
         ("x'' = -x - abs(x*abs(x))", "0", false),
     ] {
-        let found = oscillator(text);
-        assert_eq!((found.equilibrium().to_string().as_str(), found.is_odd()), (at, odd), "{text}");
-        assert_eq!(*found.kind(), Kind::TwoSided, "{text}");
+        let computed = oscillator(text);
+        assert_eq!((computed.equilibrium().to_string().as_str(), computed.is_odd()), (at, odd), "{text}");
+        assert_eq!(*computed.kind(), Kind::TwoSided, "{text}");
     }
     // Beside the kink there is one power series.
     assert_eq!(*oscillator("x'' = -x - (x - 1e-13)*abs(x - 1e-13) - 1e-26").kind(), Kind::Conservative);
@@ -314,8 +314,10 @@ fn an_open_parameter_is_refused_for_what_it_does() {
 
 #[test]
 fn a_place_is_a_number() {
-    let about = |place: &str| {
-        Oscillator::about(&"x'' = -sin(x)".parse().unwrap(), &place.parse().unwrap()).unwrap_err().to_string()
+    let about = |position: &str| {
+        Oscillator::about(&"x'' = -sin(x)".parse().unwrap(), &position.parse().unwrap())
+            .unwrap_err()
+            .to_string()
     };
     assert!(about("foo").contains("`foo` is not a position: foo in it has no value"));
     assert!(about("1/0").contains("`1/0` is not a position: `1/0` has no value"));
@@ -342,7 +344,7 @@ fn reference_equations_are_in_the_catalogue_with_their_values() {
     for (key, reference) in REFERENCES {
         let equation = NamedOscillator::by_key(key).unwrap().equation_with(&[]).unwrap();
         let reference: Equation = reference.parse().unwrap();
-        let pair = [&equation, &reference].map(|it| Box::new(it.accelerations()[0].clone()));
+        let pair = [&equation, &reference].map(|written| Box::new(written.accelerations()[0].clone()));
         let [ours, theirs] = pair;
         assert!(Expression::Subtract(ours, theirs).vanishes(), "{key}: {equation}");
     }

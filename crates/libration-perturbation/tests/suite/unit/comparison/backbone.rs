@@ -65,7 +65,7 @@ fn orbits_about_another_equilibrium_are_none_of_this_curve() {
     assert!(well.at(0.9, &Quiet).orbit.is_ok());
     assert!(matches!(well.at(1.5, &Quiet).orbit, Err(OrbitError::Elsewhere { .. })));
     // Around both wells, which is not what the series is for.
-    assert!(well.at(3.0, &Quiet).orbit.unwrap().encloses.is_some_and(|place| place.abs() < 1e-15));
+    assert!(well.at(3.0, &Quiet).orbit.unwrap().encloses.is_some_and(|position| position.abs() < 1e-15));
     assert_eq!(well.at(0.9, &Quiet).orbit.unwrap().encloses, None);
 }
 

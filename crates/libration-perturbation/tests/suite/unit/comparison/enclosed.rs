@@ -8,8 +8,8 @@ fn enclosed(equation: &str, centre: f64, ends: [f64; 2]) -> Option<f64> {
 fn the_equilibrium_between_two_wells_is_seen_from_any_orbit_around_both() {
     let well = "x'' = x - x^3";
     for end in [1.415, 2.0, 30.0, 3e4] {
-        let found = enclosed(well, 1.0, [-end, end]).unwrap();
-        assert!(found.abs() < f64::MIN_POSITIVE, "{end}: {found:e}");
+        let equilibrium = enclosed(well, 1.0, [-end, end]).unwrap();
+        assert!(equilibrium.abs() < f64::MIN_POSITIVE, "{end}: {equilibrium:e}");
     }
     assert_eq!(enclosed(well, 1.0, [1e-6, 1.414]), None);
     assert_eq!(enclosed("x'' = -sin(x)", 0.0, [-3.14, 3.14]), None);

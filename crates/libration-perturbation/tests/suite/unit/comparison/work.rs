@@ -12,8 +12,8 @@ fn forces_without_work_have_none_within_what_is_stated() {
             let force: Expression = force.parse().unwrap();
             let work = WorkOverOrbits::new(&equation, &force, 0.0).unwrap();
             for step in 1..40 {
-                let found = work.at(0.03 * f64::from(step), &Watch::new(&Quiet)).unwrap();
-                assert!(found.value.abs() <= found.uncertainty, "{found:?}");
+                let computed = work.at(0.03 * f64::from(step), &Watch::new(&Quiet)).unwrap();
+                assert!(computed.value.abs() <= computed.uncertainty, "{computed:?}");
             }
         }
     }
