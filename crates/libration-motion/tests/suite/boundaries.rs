@@ -42,10 +42,10 @@ const ENDS: [(&str, [f64; 2], f64); 16] = [
 
 #[test]
 fn motions_end_where_their_formulas_end() {
-    for (equation, start, place) in ENDS {
+    for (equation, start, boundary) in ENDS {
         for tolerance in [1e-6, 1e-9, 1e-12, 1e-15] {
             let end = end(equation, start, 100.0, tolerance).end;
-            let short = (end.state[0] - place) * (start[0] - place).signum();
+            let short = (end.state[0] - boundary) * (start[0] - boundary).signum();
             assert!((-1e-14..1e-5).contains(&short), "{equation} to {tolerance:e}: {end:?}");
         }
     }

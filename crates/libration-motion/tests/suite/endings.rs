@@ -55,8 +55,8 @@ fn stated_errors_of_pendulums_hold_and_are_not_far_too_large() {
         for tolerance in TOLERANCES {
             let (mut largest, mut largest_stated) = (0.0, 0.0);
             for last in [10.0, 31.0, 100.0, 316.0] {
-                for [found, truth, stated] in of_pendulum(amplitude, &exact, last, tolerance) {
-                    let off = (found - truth).abs();
+                for [computed, truth, stated] in of_pendulum(amplitude, &exact, last, tolerance) {
+                    let off = (computed - truth).abs();
                     assert!(off <= stated, "{amplitude} {tolerance:e} {last}: {off:e} {stated:e}");
                     largest = f64::max(largest, off);
                     largest_stated = f64::max(largest_stated, stated);
@@ -151,8 +151,8 @@ fn stated_errors_of_other_motions_hold() {
             for tolerance in TOLERANCES {
                 let ending = first_zero_of(&format!("t - {last:?}"));
                 let [end, error] = ended(equation, start, &ending, tolerance);
-                for ((found, truth), stated) in end.state.iter().zip(state(last)).zip(&error.state) {
-                    let off = (found - truth).abs();
+                for ((computed, truth), stated) in end.state.iter().zip(state(last)).zip(&error.state) {
+                    let off = (computed - truth).abs();
                     assert!(off <= *stated, "{equation} {last} {tolerance:e}: {off:e} {stated:e}");
                 }
             }
@@ -212,8 +212,8 @@ fn times_of_jumps_are_rounded() {
         assert!(1e-11 < off && off <= error.state[x] && error.state[x] < 1e-9, "{off:e} {error:?}");
     }
     let [end, error] = ended("x'' = -sign(x)", &[("x", 1.0)], &first_zero_of("t - 3731.3"), 1e-12);
-    for ((found, truth), stated) in end.state.iter().zip(drawn_to_zero(3731.3)).zip(&error.state) {
-        assert!((found - truth).abs() <= *stated, "{found} {truth} {stated:e}");
+    for ((computed, truth), stated) in end.state.iter().zip(drawn_to_zero(3731.3)).zip(&error.state) {
+        assert!((computed - truth).abs() <= *stated, "{computed} {truth} {stated:e}");
     }
 }
 

@@ -33,7 +33,7 @@ fn alone(system: &System, starts: &[Moment], times: &[f64], effort: &Effort) -> 
     let solutions: Vec<_> =
         integrate_many(system, &trajectories, effort, &Quiet).into_iter().map(Result::unwrap).collect();
     let at =
-        |place: usize| solutions.iter().flat_map(|solution| solution.samples[place].state.clone()).collect();
+        |index: usize| solutions.iter().flat_map(|solution| solution.samples[index].state.clone()).collect();
     (0..times.len() - 1).map(at).collect()
 }
 

@@ -48,18 +48,18 @@ fn crossings_next_to_the_amplitude(cases: u32) -> usize {
             &[(&format!("theta - {threshold:?}"), Direction::Any, false)],
         );
         let tolerance = if case % 3 == 0 { 1e-9 } else { 1e-13 };
-        let found = run(&system, &[begin.angle, begin.velocity], &[duration], tolerance).events;
+        let events = run(&system, &[begin.angle, begin.velocity], &[duration], tolerance).events;
         let wanted: Vec<f64> = (0..8)
             .map(f64::from)
             .flat_map(|turn| [turn * period - passes, turn * period + passes])
             .map(|time| time - phase)
             .filter(|&time| time > 0.0 && time < duration)
             .collect();
-        assert_eq!(found.len(), wanted.len(), "{case}: {amplitude} from {phase}: {found:?} {wanted:?}");
-        for (found, wanted) in found.iter().zip(&wanted) {
+        assert_eq!(events.len(), wanted.len(), "{case}: {amplitude} from {phase}: {events:?} {wanted:?}");
+        for (event, wanted) in events.iter().zip(&wanted) {
             // Next to the amplitude a small error of the angle corresponds to a larger one of the time.
             let bound = 1e4 * tolerance / (1.0 - part).sqrt() + 1e-11 / (1.0 - part).sqrt();
-            assert!((found.time - wanted).abs() < bound, "{case}: {} not {wanted}", found.time);
+            assert!((event.time - wanted).abs() < bound, "{case}: {} not {wanted}", event.time);
         }
         crossings += wanted.len();
     }
@@ -98,11 +98,11 @@ fn formulas_that_end_on_the_way_do_not_end_the_motion() {
     for (formula, exact, bound) in cases {
         let solution =
             run(&watched("x'' = -x", &[(formula, Direction::Any, false)]), &[1.0, 0.0], &[10.0], 1e-14);
-        let found: Vec<f64> = solution.events.iter().map(|event| event.time).collect();
-        assert_eq!(found.len(), exact.len(), "{formula}: {found:?}, {exact:?}");
+        let computed: Vec<f64> = solution.events.iter().map(|event| event.time).collect();
+        assert_eq!(computed.len(), exact.len(), "{formula}: {computed:?}, {exact:?}");
         assert!(
-            found.iter().zip(&exact).all(|(a, b)| (a - b).abs() <= bound),
-            "{formula}: {found:?}, {exact:?}"
+            computed.iter().zip(&exact).all(|(a, b)| (a - b).abs() <= bound),
+            "{formula}: {computed:?}, {exact:?}"
         );
         assert!((solution.end.state[0] - libm::cos(10.0)).abs() < 1e-14 && solution.steps < 10, "{formula}");
     }
@@ -391,10 +391,10 @@ fn formulas_that_are_felt_in_a_small_part_of_a_step_have_their_zeros() {
         let system = System::new(&"x'' = -x".parse().unwrap()).unwrap().with_events(&[event]).unwrap();
         let start = Moment { time: 0.0, state: vec![5.0, 0.0] };
         let solution = integrate(&system, &start, &[6.2], &Effort::to_tolerance(1e-15), &Quiet);
-        let found: Vec<f64> = solution.unwrap().events.iter().map(|event| event.time).collect();
-        assert_eq!(found.len(), expected.len(), "{formula}: {found:?}");
-        for (found, expected) in found.iter().zip(&expected) {
-            assert!((found - expected).abs() < 1e-10, "{formula}: {found} beside {expected}");
+        let times: Vec<f64> = solution.unwrap().events.iter().map(|event| event.time).collect();
+        assert_eq!(times.len(), expected.len(), "{formula}: {times:?}");
+        for (computed, expected) in times.iter().zip(&expected) {
+            assert!((computed - expected).abs() < 1e-10, "{formula}: {computed} beside {expected}");
         }
     }
 }

@@ -13,11 +13,12 @@ use std::f64::consts::TAU;
 const REFERENCE: f64 = 5e-8;
 
 fn assert_multipliers(orbit: &Orbit, expected: &[(f64, f64)], allowed: f64, what: &str) {
-    let found = &orbit.floquet().unwrap().multipliers;
+    let multipliers = &orbit.floquet().unwrap().multipliers;
     for &(re, im) in expected {
         let expected = Complex { re, im };
-        let nearest = found.iter().map(|own| (*own - expected).abs()).fold(f64::INFINITY, f64::min);
-        assert!(nearest <= allowed, "{what}: {found:?} are {nearest:e} from {expected:?}");
+        let nearest =
+            multipliers.iter().map(|multiplier| (*multiplier - expected).abs()).fold(f64::INFINITY, f64::min);
+        assert!(nearest <= allowed, "{what}: {multipliers:?} are {nearest:e} from {expected:?}");
     }
 }
 

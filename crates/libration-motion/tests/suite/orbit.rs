@@ -11,8 +11,8 @@ use std::cell::Cell;
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 
-fn released(text: &str, place: f64) -> Orbit {
-    Orbit::released(&equation(text), place, &Quiet).unwrap()
+fn released(text: &str, position: f64) -> Orbit {
+    Orbit::released(&equation(text), position, &Quiet).unwrap()
 }
 
 fn assert_within(value: f64, expected: f64, tolerance: f64, what: &str) {
@@ -44,17 +44,17 @@ fn periods_of_the_pendulum_are_exact_within_their_uncertainty() {
 fn harmonics_of_the_pendulum_are_exact() {
     for amplitude in [0.1, 1.0, 2.0, 3.0, 3.14] {
         let exact = pendulum(amplitude).harmonics(1e-17, 2000);
-        let found = released(PENDULUM, amplitude).harmonics(0);
+        let computed = released(PENDULUM, amplitude).harmonics(0);
         // The last amplitude is 0.0016 below the top; rounding to 4e-16 changes this distance by 2e-13 of itself at each turn.
         let off = if amplitude > 3.1 { 1e-10 } else { 1e-14 };
         for term in &exact.terms {
-            let own = found.terms.get(term.n).copied().unwrap_or_default();
-            assert_within(own.cosine, term.angle, off, &format!("a{} from {amplitude}", term.n));
-            assert_within(own.sine, 0.0, off, &format!("b{} from {amplitude}", term.n));
+            let harmonic = computed.terms.get(term.n).copied().unwrap_or_default();
+            assert_within(harmonic.cosine, term.angle, off, &format!("a{} from {amplitude}", term.n));
+            assert_within(harmonic.sine, 0.0, off, &format!("b{} from {amplitude}", term.n));
         }
-        let even = found.terms.iter().step_by(2);
+        let even = computed.terms.iter().step_by(2);
         assert!(even.clone().all(|term| term.amplitude() < off), "{amplitude}");
-        assert!(found.remainder < 1e-14, "{amplitude}: {:e}", found.remainder);
+        assert!(computed.remainder < 1e-14, "{amplitude}: {:e}", computed.remainder);
     }
 }
 
@@ -181,11 +181,11 @@ fn rayleighs_cycle_has_van_der_pols_period() {
 fn the_two_ways_to_a_cycle_meet() {
     // The logarithms are −35 and −47 there: on either side of −40.
     for strength in ["3.2", "3.6"] {
-        let found = Orbit::limit_cycle(&van_der_pol(strength), &[1.0, 0.0], &Quiet).unwrap();
-        let guess = OrbitGuess { state: found.start(), period: found.period() };
+        let cycle = Orbit::limit_cycle(&van_der_pol(strength), &[1.0, 0.0], &Quiet).unwrap();
+        let guess = OrbitGuess { state: cycle.start(), period: cycle.period() };
         let by_newton = Orbit::near(&van_der_pol(strength), &guess, &[1], &Quiet).unwrap();
-        let allowed = found.period_uncertainty() + by_newton.period_uncertainty();
-        assert_within(found.period(), by_newton.period(), allowed, strength);
+        let allowed = cycle.period_uncertainty() + by_newton.period_uncertainty();
+        assert_within(cycle.period(), by_newton.period(), allowed, strength);
     }
     let by_newton = Orbit::limit_cycle(&van_der_pol("1"), &[1.0, 0.0], &Quiet).unwrap();
     let floquet = by_newton.floquet().unwrap();
@@ -269,12 +269,12 @@ fn damped_motion_next_to_a_strongly_unstable_one_does_not_close() {
     for (damping, is_orbit) in [("0", true), ("1/200000", false)] {
         let equation = equation(&format!("y'' = -y - {damping}*y'; x'' = 20*x + y"));
         let guess = OrbitGuess { state: vec![1.0, -1.0 / 21.0, 0.0, 0.0], period: TAU };
-        let found = Orbit::near(&equation, &guess, &[0, 2], &Quiet);
+        let orbit = Orbit::near(&equation, &guess, &[0, 2], &Quiet);
         assert_eq!(
-            found.is_ok(),
+            orbit.is_ok(),
             is_orbit,
             "{damping}: {:?}",
-            found.map(|found| found.start_errors().to_vec())
+            orbit.map(|orbit| orbit.start_errors().to_vec())
         );
     }
 }
@@ -312,26 +312,30 @@ fn a_search_finds_the_orbit_of_each_kind() {
         conserves_energy,
         held: None,
     };
-    let found = |text: &str, search: &OrbitSearch| Orbit::search(&equation(text), search, &Quiet);
-    let (kind, orbit) = found("x'' = -x^3", &search(&[2.0, 0.0], None, true)).unwrap();
+    let searched = |text: &str, search: &OrbitSearch| Orbit::search(&equation(text), search, &Quiet);
+    let (kind, orbit) = searched("x'' = -x^3", &search(&[2.0, 0.0], None, true)).unwrap();
     assert_eq!(kind, OrbitKind::Released);
     // Γ(1/4)²/√π over the amplitude.
     assert!((orbit.period() - 7.416298709205487 / 2.0).abs() < 1e-14);
-    let (kind, orbit) = found("x'' = -x + cos(2t/3)", &search(&[0.0, 0.0], Some(3.0 * PI), false)).unwrap();
+    let (kind, orbit) =
+        searched("x'' = -x + cos(2t/3)", &search(&[0.0, 0.0], Some(3.0 * PI), false)).unwrap();
     assert_eq!((kind, orbit.closing_error().len()), (OrbitKind::Driven, 2));
-    assert!((orbit.start()[0] - 1.8).abs() < 1e-14 && orbit.closing_error().iter().all(|it| *it < 1e-14));
-    let (kind, _) = found("x'' = (1 - x^2)*x' - x", &search(&[0.5, 0.0], None, false)).unwrap();
+    assert!(
+        (orbit.start()[0] - 1.8).abs() < 1e-14 && orbit.closing_error().iter().all(|error| *error < 1e-14)
+    );
+    let (kind, _) = searched("x'' = (1 - x^2)*x' - x", &search(&[0.5, 0.0], None, false)).unwrap();
     assert_eq!(kind, OrbitKind::LimitCycle);
     let pair = "x'' = y - 2*x - (x - y)^3; y'' = x - 2*y + (x - y)^3";
-    let (kind, orbit) = found(pair, &search(&[0.1, -0.1, 0.0, 0.0], Some(3.6), true)).unwrap();
+    let (kind, orbit) = searched(pair, &search(&[0.1, -0.1, 0.0, 0.0], Some(3.6), true)).unwrap();
     assert_eq!((kind, orbit.start()), (OrbitKind::Family, vec![0.1, -0.1, 0.0, 0.0]));
     assert!((orbit.period() - released("x'' = -3*x - 8*x^3", 0.1).period()).abs() < 1e-14);
     // A start close to this one is not on an orbit of the family: the largest coordinate is held.
-    let (kind, orbit) = found(pair, &search(&[0.1, -0.097, 0.0, 0.0], Some(3.6), true)).unwrap();
+    let (kind, orbit) = searched(pair, &search(&[0.1, -0.097, 0.0, 0.0], Some(3.6), true)).unwrap();
     assert_eq!((kind, orbit.start()[0]), (OrbitKind::Near, 0.1));
     assert!((orbit.start()[1] + 0.1).abs() < 1e-12, "{:?}", orbit.start());
     // Without a known energy the orbits of prey and predators are a family too: at the start both components are held.
-    let (kind, orbit) = found("x' = x - x*y; y' = x*y - y", &search(&[1.0, 2.0], Some(6.5), false)).unwrap();
+    let (kind, orbit) =
+        searched("x' = x - x*y; y' = x*y - y", &search(&[1.0, 2.0], Some(6.5), false)).unwrap();
     assert_eq!((kind, orbit.start()), (OrbitKind::Family, vec![1.0, 2.0]));
     assert!(orbit.period_uncertainty() < 1e-13, "{:e}", orbit.period_uncertainty());
 }
@@ -355,8 +359,8 @@ fn a_cycle_has_its_least_period_and_attracts() {
         let floquet = orbit.floquet().unwrap();
         assert_eq!((kind, floquet.stability), (OrbitKind::LimitCycle, Stability::Attracting), "{c}");
         assert_within(orbit.period(), period, 1e-12 * period, c);
-        let found = floquet.multipliers.iter().find(|multiplier| (multiplier.re - 1.0).abs() > 1e-7).unwrap();
-        assert_within(found.re, multiplier, 2e-8, c);
+        let other = floquet.multipliers.iter().find(|multiplier| (multiplier.re - 1.0).abs() > 1e-7).unwrap();
+        assert_within(other.re, multiplier, 2e-8, c);
         // A multiple of the period as a guess leads to the same.
         let search = OrbitSearch { start: orbit.start(), period: Some(11.0 * orbit.period()), ..search };
         let (_, again) = Orbit::search(&roessler, &search, &Quiet).unwrap();
@@ -431,7 +435,8 @@ fn a_search_without_a_period_says_what_is_missing() {
         conserves_energy,
         held: None,
     };
-    let refused = |text: &str, it: &OrbitSearch| Orbit::search(&equation(text), it, &Quiet).unwrap_err();
+    let refused =
+        |text: &str, search: &OrbitSearch| Orbit::search(&equation(text), search, &Quiet).unwrap_err();
     assert_eq!(refused("x'' = -x + cos(t)", &search(&[0.0, 0.0], false)), OrbitError::NoPeriod);
     assert_eq!(refused("x'' = -x; y'' = -2*y", &search(&[1.0, 1.0, 0.0, 0.0], true)), OrbitError::NoPeriod);
     assert!(matches!(refused("x'' = -x", &search(&[0.0], true)), OrbitError::Start { wanted: 2, .. }));
@@ -440,7 +445,7 @@ fn a_search_without_a_period_says_what_is_missing() {
 
 #[test]
 fn motions_without_a_period_are_refused_for_a_reason() {
-    let refusal = |text: &str, place: f64| Orbit::released(&equation(text), place, &Quiet).unwrap_err();
+    let refusal = |text: &str, position: f64| Orbit::released(&equation(text), position, &Quiet).unwrap_err();
     assert!(matches!(refusal("x'' = -x - x'/10", 1.0), OrbitError::NotClosed { start: 1.0, .. }));
     assert!(matches!(refusal("x'' = -x - 3*x'", 1.0), OrbitError::NoReturn { why: Lost::Rest, .. }));
     assert!(matches!(refusal("x'' = -x + x^2", 2.0), OrbitError::NoReturn { why: Lost::Stopped(_), .. }));
@@ -486,8 +491,8 @@ fn the_last_amplitude_below_the_top_has_its_period() {
 #[test]
 fn next_to_a_separatrix_a_force_with_a_kink_has_no_sure_period() {
     let kinked = "x'' = -x - x*(abs(x + 3) - 3)";
-    for (place, period) in [(0.49, 9.207_998_623_393_865), (0.4999, 13.775_357_879_043_217)] {
-        let orbit = released(kinked, place);
+    for (position, period) in [(0.49, 9.207_998_623_393_865), (0.4999, 13.775_357_879_043_217)] {
+        let orbit = released(kinked, position);
         // The position is the f64 next to the decimal: there half a unit in the last place is 1e-16/(0.5 - 0.4999) of a tenth of the period.
         let rounded = 1e-12 * period;
         assert_within(orbit.period(), period, orbit.period_uncertainty() + rounded, "beside the closed form");
@@ -501,10 +506,10 @@ fn next_to_a_separatrix_a_force_with_a_kink_has_no_sure_period() {
 /// x″ + 3x·x′ + x³ + x = 0 is an isochronous centre, although the force differs for the opposite velocity.
 #[test]
 fn a_centre_whose_force_depends_on_the_sign_of_the_velocity_has_its_period() {
-    for place in [0.1, 0.5, 1.0, 3.0] {
-        let orbit = released("x'' + 3*x*x' + x^3 + x = 0", place);
-        assert_within(orbit.period(), TAU, orbit.period_uncertainty(), &format!("from {place}"));
-        assert!(orbit.period_uncertainty() < 1e-11, "{place}: {:e}", orbit.period_uncertainty());
+    for position in [0.1, 0.5, 1.0, 3.0] {
+        let orbit = released("x'' + 3*x*x' + x^3 + x = 0", position);
+        assert_within(orbit.period(), TAU, orbit.period_uncertainty(), &format!("from {position}"));
+        assert!(orbit.period_uncertainty() < 1e-11, "{position}: {:e}", orbit.period_uncertainty());
     }
 }
 
@@ -516,8 +521,8 @@ fn an_orbit_that_begins_on_a_jump_of_the_force_is_found() {
         [(3.0, 1.0, 0.0), (3.0, 1.0, 1e-12), (3.0, 1.0, 0.3), (2.0, 0.25, 0.0), (5e-7, 1e-7, 0.0)]
     {
         let equation = format!("x'' + {k:?}*sign(x) = {a:?}*sin(t + {phase:?})").parse().unwrap();
-        let place = |s: f64| -a * libm::sin(s) - 0.5 * k * PI * s + 0.5 * k * s * s;
-        let start = [place(phase), -a * libm::cos(phase) - 0.5 * k * PI + k * phase];
+        let position = |s: f64| -a * libm::sin(s) - 0.5 * k * PI * s + 0.5 * k * s * s;
+        let start = [position(phase), -a * libm::cos(phase) - 0.5 * k * PI + k * phase];
         let orbit = Orbit::driven(&equation, &start, TAU, &Quiet).unwrap();
         let off = orbit.state_at(0.5 * PI - phase)[0] + a + 0.125 * k * PI * PI;
         assert!(off.abs() < 1e-13 * a, "a = {a}, k = {k}, phase {phase}: {off:e}");
@@ -535,12 +540,12 @@ fn an_orbit_that_begins_on_a_jump_of_the_force_is_found() {
 /// x″ = −sign(x) falls for √(2A) in each of four quarters.
 #[test]
 fn a_force_of_one_size_has_the_period_of_free_fall() {
-    for place in [1e-20, 0.5, 1.0, 2.0, 1e10] {
-        let period = 4.0 * (2.0_f64 * place).sqrt();
-        let orbit = released("x'' = -sign(x)", place);
-        assert_within(orbit.period(), period, orbit.period_uncertainty(), &format!("from {place}"));
-        assert!(orbit.period_uncertainty() < 1e-13 * period, "{place}");
-        assert_within(orbit.state_at(0.5 * orbit.period())[0], -place, 1e-14 * place, "the other side");
+    for position in [1e-20, 0.5, 1.0, 2.0, 1e10] {
+        let period = 4.0 * (2.0_f64 * position).sqrt();
+        let orbit = released("x'' = -sign(x)", position);
+        assert_within(orbit.period(), period, orbit.period_uncertainty(), &format!("from {position}"));
+        assert!(orbit.period_uncertainty() < 1e-13 * period, "{position}");
+        assert_within(orbit.state_at(0.5 * orbit.period())[0], -position, 1e-14 * position, "the other side");
     }
 }
 
@@ -596,10 +601,10 @@ fn coupled_modes_of_a_spring_in_resonance_with_its_swing_are_found_at_an_angle()
         (5.0, [7.42, 1.29], 7.423279872261442783198011, 1.293919892111355174413307, 1.74938487),
         (20.0, [7.93, 1.19], 7.931476467877885520678306, 1.194011222526851579063659, -0.91920993),
     ];
-    for (degrees, [guess, place], period, start, trace) in modes {
+    for (degrees, [guess, length], period, start, trace) in modes {
         let angle = f64::to_radians(degrees);
         let search = OrbitSearch {
-            start: vec![place, angle, 0.0, 0.0],
+            start: vec![length, angle, 0.0, 0.0],
             period: Some(guess),
             conserves_energy: true,
             held: Some(1),
@@ -613,7 +618,7 @@ fn coupled_modes_of_a_spring_in_resonance_with_its_swing_are_found_at_an_angle()
         assert!((sum - 2.0 - trace).abs() < 1e-6, "{sum}");
         // The component farthest from zero is r; holding it would choose another orbit of the family.
         let other = Orbit::search(&spring, &OrbitSearch { held: None, ..search }, &Quiet).unwrap().1;
-        assert!((other.start()[0] - place).abs() < 1e-15 && other.start()[1] != angle);
+        assert!((other.start()[0] - length).abs() < 1e-15 && other.start()[1] != angle);
     }
 }
 
@@ -690,9 +695,9 @@ fn a_motion_with_weak_damping_is_not_periodic() {
         let refusal = Orbit::released(&equation(text), 2.0, &Quiet).unwrap_err();
         assert!(matches!(refusal, OrbitError::NotClosed { .. }), "{text}: {refusal}");
         let search = OrbitSearch { start: vec![2.0, 0.0], period: None, conserves_energy: false, held: None };
-        let found =
+        let outcome =
             Orbit::search(&equation(text), &search, &Quiet).map(|(kind, orbit)| (kind, orbit.start()));
-        assert!(found.is_err(), "{text}: {found:?}");
+        assert!(outcome.is_err(), "{text}: {outcome:?}");
     }
     // The motion closes with a relative error of 3e-16: an orbit within the stated errors.
     assert!(Orbit::released(&equation("x'' = -x - 1e-17*x'"), 2.0, &Quiet).is_ok());
@@ -781,9 +786,9 @@ fn a_mass_that_sticks_to_a_belt_does_not_come_to_rest() {
         Orbit::limit_cycle(&equation(text), start, &Quiet).unwrap_err()
     };
     for start in [[1.0, 0.0], [0.41, 0.0], [0.0, 0.5]] {
-        let found = belt(&start);
-        eprintln!("{found}");
-        assert!(!found.to_string().contains("comes to rest"), "{start:?}: {found}");
+        let error = belt(&start);
+        eprintln!("{error}");
+        assert!(!error.to_string().contains("comes to rest"), "{start:?}: {error}");
     }
 }
 
@@ -840,7 +845,7 @@ fn a_coordinate_at_rest_hides_no_cycle() {
 /// energy v²/2, changes it by 8e-16/v².
 #[test]
 fn an_orbit_past_a_saddle_has_its_whole_period_or_none() {
-    let found = |start: [f64; 2], period: f64| {
+    let searched = |start: [f64; 2], period: f64| {
         let (start, period) = (start.to_vec(), Some(period));
         let search = OrbitSearch { start, period, conserves_energy: true, held: None };
         Orbit::search(&equation("x'' = x - x^3"), &search, &Quiet)
@@ -850,14 +855,14 @@ fn an_orbit_past_a_saddle_has_its_whole_period_or_none() {
         let root = (1.0 + 2.0 * velocity * velocity).sqrt();
         let modulus = Modulus::from_complementary_parameter(velocity * velocity / (root * (1.0 + root)));
         let period = 4.0 / root.sqrt() * modulus.unwrap().first();
-        let (_, orbit) = found([0.0, velocity], period + 1.0).unwrap();
+        let (_, orbit) = searched([0.0, velocity], period + 1.0).unwrap();
         let (off, stated) = ((orbit.period() - period).abs(), orbit.period_uncertainty());
         assert!(off <= stated && stated < 1e-13 / (velocity * velocity), "{velocity}: {off:e} {stated:e}");
     }
     // The energy is that of a velocity 7e-7 to 7e-11, which the digits of this start do not determine.
-    for place in [1e-3, 1e-4, 1e-5] {
-        let outcome = found([place, place], 50.0);
-        assert!(outcome.is_err(), "{place}: {outcome:?}");
+    for displacement in [1e-3, 1e-4, 1e-5] {
+        let outcome = searched([displacement, displacement], 50.0);
+        assert!(outcome.is_err(), "{displacement}: {outcome:?}");
     }
 }
 
@@ -884,11 +889,11 @@ fn components_that_never_move_do_not_change_a_cycle() {
         ("x'' = (1 - x^2)*x' - x; c' = 0", vec![0.5, 1.0, 0.0]),
         ("c' = 0; x'' = (1 - x^2)*x' - x", vec![0.0, 0.5, 0.0]),
     ] {
-        let found = cycle(text, &start);
+        let beside = cycle(text, &start);
         assert_within(
-            found.period(),
+            beside.period(),
             alone.period(),
-            found.period_uncertainty() + alone.period_uncertainty(),
+            beside.period_uncertainty() + alone.period_uncertainty(),
             text,
         );
     }

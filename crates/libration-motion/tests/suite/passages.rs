@@ -125,14 +125,14 @@ fn a_motion_may_touch_where_it_has_no_series() {
         let half = sqrt(2.0 * highest) * arc(2.0 * p);
         let times = [half, 2.0 * half, 3.0 * half, 4.0 * half];
         let solution = solve(&system, &from(&[0.0, 0.0]), &times, 1e-13);
-        for (sample, place) in solution.samples.iter().zip([highest, 0.0, highest, 0.0]) {
+        for (sample, position) in solution.samples.iter().zip([highest, 0.0, highest, 0.0]) {
             // Where the motion touches zero, the remaining velocity decides on which
             // side it continues: the error is the square root of the earlier one.
             let allowed = 100.0 * allowed(&solution, 1e-13, highest * 4.0 * half);
             let [x, v] = sample.state[..] else { panic!() };
             assert!(
-                (x - place).abs() < allowed && v.abs() < allowed,
-                "{text}: {sample:?} {place} {allowed:e}"
+                (x - position).abs() < allowed && v.abs() < allowed,
+                "{text}: {sample:?} {position} {allowed:e}"
             );
         }
     }

@@ -55,13 +55,13 @@ fn motions_that_are_not_linear_change_as_their_differences_do() {
         let values: Vec<_> = names.iter().copied().zip(numbers("values").map(value)).collect();
         let by = Sensitivities::new(&motion, &values, &[row.text("to")]).unwrap();
         let start: Vec<f64> = numbers("start").collect();
-        let found = by.derivatives_in(&end(&by, &start, row.input("time")).state);
+        let derivatives = by.derivatives_in(&end(&by, &start, row.input("time")).state);
         let exact: Vec<f64> = numbers("derivatives").collect();
-        let size = exact.iter().fold(1.0, |size: f64, it| size.max(it.abs()));
-        for (found, exact) in found.iter().zip(&exact) {
+        let size = exact.iter().fold(1.0, |size: f64, derivative| size.max(derivative.abs()));
+        for (computed, exact) in derivatives.iter().zip(&exact) {
             // Lorenz's motion loses two digits until t = 5.
             let case = (row.text("equation"), row.text("time"), row.text("to"));
-            assert!((found - exact).abs() < 1e-12 * size, "{case:?}: {found} {exact}");
+            assert!((computed - exact).abs() < 1e-12 * size, "{case:?}: {computed} {exact}");
         }
     }
 }

@@ -44,7 +44,8 @@ impl Run<'_> {
                 let moment = Moment { time, state: accepted.step().state_at(time) };
                 if let Some(stated) = errors.at(&moment) {
                     let truth = Self::numbers(*row, "state");
-                    let off = moment.state.iter().zip(&truth).map(|(found, truth)| (found - truth).abs());
+                    let off =
+                        moment.state.iter().zip(&truth).map(|(computed, truth)| (computed - truth).abs());
                     compared.push(off.zip(stated).map(|(off, stated)| [off, stated]).collect());
                 }
             }
@@ -80,9 +81,9 @@ fn sweep_every_sample_is_inside_its_error() {
         let (compared, until) = run.compared();
         assert!(!compared.is_empty(), "{}: determined until {until:?}", run.name);
         let mut ratios = vec![];
-        for (place, sample) in compared.iter().enumerate() {
+        for (index, sample) in compared.iter().enumerate() {
             for [off, stated] in sample {
-                assert!(off <= stated, "{} sample {place}: {off:e} {stated:e}", run.name);
+                assert!(off <= stated, "{} sample {index}: {off:e} {stated:e}", run.name);
                 ratios.extend((*off > 0.0).then(|| stated / off));
             }
         }
@@ -109,16 +110,16 @@ fn determined(
 ) -> (Vec<(Moment, Vec<f64>)>, StateErrors) {
     let effort = Effort::to_tolerance(tolerance);
     let mut errors = StateErrors::new(system, start, &effort);
-    let mut found = vec![];
+    let mut moments = vec![];
     integrate_from(system, &Start::State(start.clone()), &[last], &effort, |accepted| {
         errors.follow(accepted);
         let time = accepted.step().end();
         let moment = Moment { time, state: accepted.step().state_at(time) };
-        found.extend(errors.at(&moment).map(|error| (moment, error)));
+        moments.extend(errors.at(&moment).map(|error| (moment, error)));
         ControlFlow::Continue(())
     })
     .unwrap();
-    (found, errors)
+    (moments, errors)
 }
 
 /// Terms that cancel, constants that are not doubles, forces that jump and bend; forward and backward.
@@ -128,13 +129,13 @@ fn errors_of_motions_in_closed_form_hold() {
         let system = System::new(&equation.parse().unwrap()).unwrap();
         let start = system.start(start).unwrap();
         for tolerance in TOLERANCES {
-            let (found, errors) = determined(&system, &start, 50.0, tolerance);
+            let (moments, errors) = determined(&system, &start, 50.0, tolerance);
             let until = errors.determined_until();
             assert!(until.is_none() || equation == "x'' = x", "{equation}: {until:?}");
-            for (Moment { time, state: found }, stated) in found {
-                for ((found, truth), stated) in found.iter().zip(state(time)).zip(stated) {
+            for (Moment { time, state: components }, stated) in moments {
+                for ((computed, truth), stated) in components.iter().zip(state(time)).zip(stated) {
                     // The rounding errors of the closed form itself.
-                    let off = (found - truth).abs() - 1e-15 * found.abs().max(1.0);
+                    let off = (computed - truth).abs() - 1e-15 * computed.abs().max(1.0);
                     assert!(off <= stated, "{equation} {time} {tolerance:e}: {off:e} {stated:e}");
                 }
             }
@@ -153,15 +154,15 @@ fn pendulums_from_next_to_the_top_are_determined_as_far_as_is_said() {
         let exact = pendulum.released_from(Angle::from_radians(amplitude).unwrap()).unwrap();
         for tolerance in [1e-9, 1e-12, 1e-16] {
             let start = system.start(&[("theta", amplitude)]).unwrap();
-            let (found, errors) = determined(&system, &start, 200.0, tolerance);
+            let (moments, errors) = determined(&system, &start, 200.0, tolerance);
             let until = errors.determined_until().unwrap_or(200.0);
             assert!(tolerance > 1e-12 || until >= least, "{amplitude} {tolerance:e}: {until}");
-            for (Moment { time, state }, stated) in found {
+            for (Moment { time, state }, stated) in moments {
                 let there = exact.state_at(time);
-                for (found, truth, stated) in
+                for (computed, truth, stated) in
                     [(state[0], there.angle, stated[0]), (state[1], there.velocity, stated[1])]
                 {
-                    let off = (found - truth).abs();
+                    let off = (computed - truth).abs();
                     assert!(off <= stated, "{amplitude} {time} {tolerance:e}: {off:e} {stated:e}");
                 }
             }
@@ -179,9 +180,9 @@ fn errors_of_events_hold() {
     let quarter = pendulum.released_from(Angle::from_radians(2.5).unwrap()).unwrap().period() / 4.0;
     let start = system.start(&[("theta", 2.5)]).unwrap();
     for tolerance in TOLERANCES {
-        let found = events_with_errors(&system, start.state.clone(), 100.0, tolerance);
-        assert!(found.len() > 30);
-        for (Occurrence { event, time, state, contact }, error) in found {
+        let events = events_with_errors(&system, start.state.clone(), 100.0, tolerance);
+        assert!(events.len() > 30);
+        for (Occurrence { event, time, state, contact }, error) in events {
             let number = (time / quarter).round();
             let off = (time - number * quarter).abs();
             assert!(off <= error.time, "{event} {contact:?} {time} {tolerance:e}: {off:e} {:e}", error.time);
@@ -235,7 +236,7 @@ fn events_at_kinks_are_found_once() {
             let sign = if random.between(-1.0, 1.0) < 0.0 { -1.0 } else { 1.0 };
             let state = vec![libm::cos(phase), -libm::sin(phase)];
             let end = sign * random.between(10.0, 40.0);
-            let found = events_with_errors(&system, state, end, tolerance);
+            let events = events_with_errors(&system, state, end, tolerance);
             let mut wanted: Vec<(f64, (f64, Contact))> = vec![];
             for (at, side) in
                 contacts.into_iter().zip([sign, -sign]).filter_map(|(at, side)| Some((at?, side)))
@@ -246,13 +247,13 @@ fn events_at_kinks_are_found_once() {
                 wanted.extend(passed.map(|time| (time, at)));
             }
             wanted.sort_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
-            assert_eq!(found.len(), wanted.len(), "{formula} {phase} to {end}: {found:?} {wanted:?}");
-            for ((event, error), (time, (zero, contact))) in found.iter().zip(wanted) {
+            assert_eq!(events.len(), wanted.len(), "{formula} {phase} to {end}: {events:?} {wanted:?}");
+            for ((event, error), (time, (zero, contact))) in events.iter().zip(wanted) {
                 let off = (event.time - time).abs();
                 assert!(
                     off <= error.time,
                     "{formula} {phase} {tolerance:e}: {event:?} {time} {error:?} {:?}",
-                    found.iter().map(|f| f.0.time).collect::<Vec<_>>()
+                    events.iter().map(|f| f.0.time).collect::<Vec<_>>()
                 );
                 assert!(error.time < 1e6 * tolerance.max(1e-16), "{formula} {phase}: {event:?} {error:?}");
                 let off = (event.state[0] - zero).abs();
@@ -280,11 +281,11 @@ fn steep_formulas_with_kinks_have_all_their_zeros() {
         let system = System::new(&"x'' = -x".parse().unwrap()).unwrap();
         let system = system.with_events(&[Event::zero_of(formula.parse().unwrap())]).unwrap();
         for tolerance in TOLERANCES {
-            let found = events_with_errors(&system, vec![1.0, 0.0], PI, tolerance);
+            let events = events_with_errors(&system, vec![1.0, 0.0], PI, tolerance);
             let mut wanted = quarters.clone();
             wanted.sort_by(f64::total_cmp);
-            assert_eq!(found.len(), wanted.len(), "{formula} {tolerance:e}: {found:?}");
-            for ((event, error), time) in found.iter().zip(wanted) {
+            assert_eq!(events.len(), wanted.len(), "{formula} {tolerance:e}: {events:?}");
+            for ((event, error), time) in events.iter().zip(wanted) {
                 assert!((event.time - time).abs() <= error.time, "{formula}: {event:?} {time} {error:?}");
                 assert!(error.time < 1e6 * tolerance.max(1e-16), "{formula}: {event:?} {error:?}");
             }
@@ -305,9 +306,9 @@ fn zeros_at_the_end_of_a_motion_are_found() {
             for (end, sooner) in
                 [(phase, false), (phase.next_up(), false), (phase.next_down(), false), (phase - 1e-6, true)]
             {
-                let found = events_with_errors(&system, state.clone(), end, 1e-13);
-                assert_eq!(found.len(), usize::from(!sooner), "{formula} {case} {phase}: {found:?}");
-                for (event, error) in found {
+                let events = events_with_errors(&system, state.clone(), end, 1e-13);
+                assert_eq!(events.len(), usize::from(!sooner), "{formula} {case} {phase}: {events:?}");
+                for (event, error) in events {
                     assert!(
                         (event.time - phase).abs() <= error.time + 2e-16,
                         "{formula}: {event:?} {error:?}"
@@ -329,7 +330,7 @@ fn zeros_at_the_end_of_a_motion_are_found() {
 fn errors_of_small_states_hold() {
     type State = fn(f64) -> [f64; 2];
     // x = ε e^(−t), y = δ cos t in one system; a state that is lost in underflow and grows again.
-    let known: [(&str, [f64; 2], State, f64); 5] = [
+    let motions: [(&str, [f64; 2], State, f64); 5] = [
         ("x' = -x; y' = -y", [1.0, 1e-150], |t| [libm::exp(-t), 1e-150 * libm::exp(-t)], f64::INFINITY),
         ("x'' = -x", [1e-320, 0.0], |t| [1e-320 * libm::cos(t), -1e-320 * libm::sin(t)], f64::INFINITY),
         ("x'' = -x", [1e-250, 0.0], |t| [1e-250 * libm::cos(t), -1e-250 * libm::sin(t)], f64::INFINITY),
@@ -346,26 +347,26 @@ fn errors_of_small_states_hold() {
             1000.0,
         ),
     ];
-    for (equation, state, exact, until) in known {
+    for (equation, state, exact, until) in motions {
         let system = System::new(&equation.parse().unwrap()).unwrap();
         let start = Moment { time: 0.0, state: state.to_vec() };
         for tolerance in TOLERANCES {
-            let (found, errors) = determined(&system, &start, 3140.0, tolerance);
+            let (moments, errors) = determined(&system, &start, 3140.0, tolerance);
             let lost = errors.determined_until().unwrap_or(f64::INFINITY);
             assert!(lost <= until, "{equation} {tolerance:e}: {lost}");
             assert!(lost > 0.5 * until.min(1400.0), "{equation} {tolerance:e}: {lost}");
-            for (Moment { time, state: found }, stated) in found {
-                for (number, ((found, truth), stated)) in
-                    found.iter().zip(exact(time)).zip(stated).enumerate()
+            for (Moment { time, state: components }, stated) in moments {
+                for (number, ((computed, truth), stated)) in
+                    components.iter().zip(exact(time)).zip(stated).enumerate()
                 {
                     // The rounding errors of the closed form itself.
-                    let off = (found - truth).abs() - 4e-16 * (1.0 + time) * truth.abs() - 5e-324;
+                    let off = (computed - truth).abs() - 4e-16 * (1.0 + time) * truth.abs() - 5e-324;
                     assert!(off <= stated, "{equation} {time} {tolerance:e}: {off:e} {stated:e}");
                     let least = f64::MIN_POSITIVE.max(truth.abs());
                     assert!(
                         stated <= 1e6 * (1.0 + time) * tolerance.max(1e-16) * least
                             || number > 0 && time > 300.0,
-                        "{equation} {time} {tolerance:e}: {found:e} {stated:e}"
+                        "{equation} {time} {tolerance:e}: {computed:e} {stated:e}"
                     );
                 }
             }
@@ -382,16 +383,16 @@ fn events_with_errors(
 ) -> Vec<(Occurrence, MomentErrors)> {
     let (start, effort) = (Moment { time: 0.0, state }, Effort::to_tolerance(tolerance));
     let mut errors = StateErrors::new(system, &start, &effort);
-    let mut found = vec![];
+    let mut events = vec![];
     integrate_from(system, &Start::State(start), &[end], &effort, |accepted| {
         errors.follow(accepted);
         for event in accepted.events() {
-            found.push((event.clone(), errors.of_event(accepted, event).unwrap()));
+            events.push((event.clone(), errors.of_event(accepted, event).unwrap()));
         }
         ControlFlow::Continue(())
     })
     .unwrap();
-    found
+    events
 }
 
 /// A motion that is symmetric in time has the same errors before and after its start, and the start has none.
@@ -404,16 +405,16 @@ fn zeros_that_count_as_one_contact_are_inside_its_error() {
         events_with_errors(&system, start.to_vec(), 2.0, 1e-12)
     };
     for apart in ["0.0000000002", "0.00000001", "0.000001"] {
-        let found = events("x' = 1", &format!("(x - 1)*(x - 1 - {apart})"), &[0.0]);
-        let [(event, errors)] = found.as_slice() else { panic!("{found:?}") };
+        let contacts = events("x' = 1", &format!("(x - 1)*(x - 1 - {apart})"), &[0.0]);
+        let [(event, errors)] = contacts.as_slice() else { panic!("{contacts:?}") };
         let second = 1.0 + apart.parse::<f64>().unwrap();
         for zero in [1.0, second] {
             assert!((event.time - zero).abs() <= errors.time && (event.time - zero).abs() <= errors.state[0]);
         }
         assert!(errors.time < second - 1.0, "{apart}: {}", errors.time);
     }
-    let found = events("x'' = -pi^2*x", "x - 1", &[1.0, 0.0]);
-    assert!(found.last().unwrap().1.time < 1e-13, "{found:?}");
+    let contacts = events("x'' = -pi^2*x", "x - 1", &[1.0, 0.0]);
+    assert!(contacts.last().unwrap().1.time < 1e-13, "{contacts:?}");
 }
 
 /// The mass turns at π, and friction stops it at 2π; its velocity is known to be zero from there on, but not the time.
@@ -422,8 +423,8 @@ fn the_time_at_which_friction_stops_a_motion_is_inside_its_error() {
     let system = System::new(&"x'' = -x - 0.3*sign(x')".parse().unwrap()).unwrap();
     let system = system.with_events(&[Event::zero_of("x'".parse().unwrap())]).unwrap();
     for tolerance in [1e-9, 1e-12, 1e-16] {
-        let found = events_with_errors(&system, vec![1.0, 0.0], 9.0, tolerance);
-        let [_, turn, stop] = found.as_slice() else { panic!("{found:?}") };
+        let contacts = events_with_errors(&system, vec![1.0, 0.0], 9.0, tolerance);
+        let [_, turn, stop] = contacts.as_slice() else { panic!("{contacts:?}") };
         for ((event, errors), time) in [(turn, PI), (stop, 2.0 * PI)] {
             let off = (event.time - time).abs();
             assert!(off <= errors.time, "{tolerance:e}: {off:e} {:e}", errors.time);
@@ -518,14 +519,19 @@ fn sweep_formulas_of_every_sample_are_inside_their_errors() {
         let [samples, _] =
             rows(&model.system().unwrap(), &start, &times, first.input("tolerance"), &formulas);
         let mut ratios = vec![];
-        for ((found, errors), row) in samples.iter().zip(&run.rows) {
-            let truth = Moment { time: found.time, state: Run::numbers(*row, "state") };
-            let values = formulas.values_at(found).into_iter().zip(formulas.values_at(&truth));
+        for ((sample, errors), row) in samples.iter().zip(&run.rows) {
+            let truth = Moment { time: sample.time, state: Run::numbers(*row, "state") };
+            let values = formulas.values_at(sample).into_iter().zip(formulas.values_at(&truth));
             // The exact state is rounded to doubles, and so are its formulas.
             let rounded = 30.0 * f64::EPSILON * truth.state.iter().map(|x| x * x).fold(1.0, f64::max);
             for ((formula, (value, truth)), stated) in texts.iter().zip(values).zip(&errors.formulas) {
                 let off = (value - truth).abs();
-                assert!(off <= stated + rounded, "{} {} {formula}: {off:e} {stated:e}", run.name, found.time);
+                assert!(
+                    off <= stated + rounded,
+                    "{} {} {formula}: {off:e} {stated:e}",
+                    run.name,
+                    sample.time
+                );
                 ratios.extend((off > rounded).then(|| stated / off));
             }
         }
@@ -639,15 +645,16 @@ fn errors_of_derivatives_in_closed_form_hold() {
     let by = by.unwrap();
     let system = System::new(by.equation()).unwrap();
     for tolerance in TOLERANCES {
-        let (found, errors) = determined(&system, &by.start(&[1.0, 0.0]), 100.0, tolerance);
+        let (moments, errors) = determined(&system, &by.start(&[1.0, 0.0]), 100.0, tolerance);
         assert!(errors.determined_until().is_none());
-        for (Moment { time: t, state }, stated) in found {
+        for (Moment { time: t, state }, stated) in moments {
             let (sin, cos) = (libm::sin(2.0 * t), libm::cos(2.0 * t));
             let truth = [-t * sin / 4.0, -sin / 4.0 - t * cos / 2.0, cos, -2.0 * sin];
-            let found = by.derivatives_in(&state).into_iter().zip(by.derivatives_in(&stated)).zip(truth);
-            for (number, ((found, stated), truth)) in found.enumerate() {
+            let derivatives =
+                by.derivatives_in(&state).into_iter().zip(by.derivatives_in(&stated)).zip(truth);
+            for (number, ((computed, stated), truth)) in derivatives.enumerate() {
                 // The rounding errors of the closed form.
-                let off = (found - truth).abs() - 4.0 * f64::EPSILON * (1.0 + t);
+                let off = (computed - truth).abs() - 4.0 * f64::EPSILON * (1.0 + t);
                 assert!(off <= stated, "{number} {t} {tolerance:e}: {off:e} {stated:e}");
                 assert!(stated < 1e6 * tolerance.max(1e-16) * (1.0 + t * t), "{t} {tolerance:e}: {stated:e}");
             }
@@ -660,10 +667,10 @@ fn errors_of_derivatives_in_closed_form_hold() {
 fn derivatives_that_begin_at_a_kink_are_determined() {
     let equation = "x'' = -max(x, 0) - b*min(x, 0)".parse().unwrap();
     let by = Sensitivities::new(&equation, &[("b", "2".parse().unwrap())], &["b"]).unwrap();
-    let (found, errors) =
+    let (moments, errors) =
         determined(&System::new(by.equation()).unwrap(), &by.start(&[1.0, 0.0]), 2.0, 1e-12);
     assert!(errors.determined_until().is_none());
-    let (end, stated) = found.last().unwrap();
+    let (end, stated) = moments.last().unwrap();
     let (root, u) = (2.0_f64.sqrt(), end.time - PI / 2.0);
     let truth = libm::sin(root * u) / (4.0 * root) - u * libm::cos(root * u) / 4.0;
     let off = (by.derivatives_in(&end.state)[0] - truth).abs();
@@ -685,18 +692,18 @@ fn errors_of_derivatives_of_the_pendulum_hold() {
         for tolerance in TOLERANCES {
             for periods in [1.0, 2.0, 5.0] {
                 let time = 4.0 * first * periods;
-                let (found, errors) = determined(&system, &by.start(&[amplitude, 0.0]), time, tolerance);
+                let (moments, errors) = determined(&system, &by.start(&[amplitude, 0.0]), time, tolerance);
                 if errors.determined_until().is_some() {
                     continue;
                 }
-                let (end, stated) = found.last().unwrap();
+                let (end, stated) = moments.last().unwrap();
                 let truth = [1.0, -(slope * periods) * -libm::sin(amplitude)];
-                let found =
+                let derivatives =
                     by.derivatives_in(&end.state).into_iter().zip(by.derivatives_in(stated)).zip(truth);
-                for ((found, stated), truth) in found {
+                for ((computed, stated), truth) in derivatives {
                     // The time is a double: the effect of half an ulp, with second derivatives below 10·slope.
                     let rounded = f64::EPSILON * (10.0 * slope * time * periods + truth.abs());
-                    let off = (found - truth).abs() - rounded;
+                    let off = (computed - truth).abs() - rounded;
                     assert!(off <= stated, "{amplitude} {periods} {tolerance:e}: {off:e} {stated:e}");
                     compared += 1;
                 }

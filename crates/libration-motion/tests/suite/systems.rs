@@ -93,7 +93,7 @@ fn rows<'a>(table: &'a Table, case: Row<'_>, kind: &str) -> Vec<Row<'a>> {
 fn turning_points_are_those_of_the_table() {
     let table = Table::read("damped.csv");
     let firsts = table.rows().filter(|row| row.text("kind") == "sample" && row.text("time") == "0.5");
-    let mut found = 0;
+    let mut compared = 0;
     for case in firsts {
         let turnings = rows(&table, case, "turning");
         let samples = rows(&table, case, "sample");
@@ -119,10 +119,10 @@ fn turning_points_are_those_of_the_table() {
                 name(case)
             );
             assert!(off <= allowed + f64::EPSILON * event.time, "{}: {event:?} {off:e}", name(case));
-            found += 1;
+            compared += 1;
         }
     }
-    assert!(found > 40, "{found}");
+    assert!(compared > 40, "{compared}");
 }
 
 #[test]

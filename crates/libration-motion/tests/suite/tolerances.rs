@@ -43,12 +43,12 @@ fn each_coordinate_has_the_error_that_it_is_allowed_and_steps_are_spared() {
     let mut steps = all.steps;
     for tolerance in [1e-10, 1e-7, 1e-4] {
         let solution = solve(&system(TWO, &[("y", tolerance)]), &start, &[30.0]);
-        let found = errors(&solution);
+        let off = errors(&solution);
         // The allowed error of each step is its tolerance; in a velocity it is relative to the largest velocity, 30.
         let bound = f64::from(u32::try_from(solution.steps).unwrap()) * tolerance;
-        assert!(found[0] < 1e-12 && found[2] < 1e-12, "{tolerance}: {found:?}");
-        assert!(found[1] < bound && found[3] < 30.0 * bound, "{tolerance}: {found:?}, {bound}");
-        assert!(found[1] > 1e-4 * tolerance, "{tolerance} is not made use of: {found:?}");
+        assert!(off[0] < 1e-12 && off[2] < 1e-12, "{tolerance}: {off:?}");
+        assert!(off[1] < bound && off[3] < 30.0 * bound, "{tolerance}: {off:?}, {bound}");
+        assert!(off[1] > 1e-4 * tolerance, "{tolerance} is not made use of: {off:?}");
         assert!(solution.steps < steps, "{tolerance}: {} of {steps}", solution.steps);
         steps = solution.steps;
     }
@@ -64,8 +64,8 @@ fn a_tolerance_below_that_of_the_effort_holds_too() {
     let by = |effort: &Effort| integrate(&fine, &start, &[10.0], effort, &Quiet).unwrap();
     assert_eq!(by(&coarse), by(&Effort::to_tolerance(1e-16)));
     let only_fast = system(TWO, &[("y", 1e-16)]);
-    let found = errors(&integrate(&only_fast, &start, &[10.0], &coarse, &Quiet).unwrap());
-    assert!(found.iter().all(|error| *error < 1e-11), "{found:?}");
+    let off = errors(&integrate(&only_fast, &start, &[10.0], &coarse, &Quiet).unwrap());
+    assert!(off.iter().all(|error| *error < 1e-11), "{off:?}");
 }
 
 #[test]

@@ -40,8 +40,8 @@ fn measure(equation: &str, start: &[f64], intervals: usize) -> LyapunovExponent 
 fn census(cases: &[Case], intervals: usize, tolerance: f64) -> [usize; 2] {
     let mut counts = [0; 2];
     for Case { equation, start } in cases {
-        let found = attempt_to(tolerance, equation, start, intervals, &Quiet);
-        match found.map(|found| found.verdict) {
+        let exponent = attempt_to(tolerance, equation, start, intervals, &Quiet);
+        match exponent.map(|exponent| exponent.verdict) {
             Ok(LyapunovVerdict::Regular(_)) => counts[0] += 1,
             Ok(LyapunovVerdict::Undecided(_)) | Err(LyapunovError::Integration(_)) => counts[1] += 1,
             Err(error) => panic!("{equation} from {start:?}: {error}"),
@@ -80,20 +80,27 @@ fn decided(equation: &str, start: &[f64]) -> LyapunovExponent {
         start[1] += 1e-13 * f64::from(neighbour);
         measure(equation, &start, 2000)
     });
-    let undecided = |found: &LyapunovExponent| found.verdict == LyapunovVerdict::Undecided(Doubt::Unsteady);
-    motions.find(|found| !undecided(found)).expect("eight in a row are one in 65 000")
+    let undecided =
+        |exponent: &LyapunovExponent| exponent.verdict == LyapunovVerdict::Undecided(Doubt::Unsteady);
+    motions.find(|exponent| !undecided(exponent)).expect("eight in a row are one in 65 000")
 }
 
 #[test]
 fn chaotic_motions_have_the_exponents_of_the_table() {
     for row in Table::read("lyapunov.csv").rows() {
         let start: Vec<f64> = row.text("start").split(' ').map(|number| number.parse().unwrap()).collect();
-        let found = decided(row.text("equation"), &start);
-        assert_eq!(found.verdict, LyapunovVerdict::Chaotic, "{}", row.text("equation"));
-        let bound = 4.0 * (found.uncertainty + row.input("error"));
-        let error = found.exponent - row.input("exponent");
-        assert!(error.abs() < bound, "{}: {} ± {}", row.text("equation"), found.exponent, found.uncertainty);
-        assert!(found.uncertainty < 0.2 * found.exponent, "{} ± {}", found.exponent, found.uncertainty);
+        let growth = decided(row.text("equation"), &start);
+        assert_eq!(growth.verdict, LyapunovVerdict::Chaotic, "{}", row.text("equation"));
+        let bound = 4.0 * (growth.uncertainty + row.input("error"));
+        let error = growth.exponent - row.input("exponent");
+        assert!(
+            error.abs() < bound,
+            "{}: {} ± {}",
+            row.text("equation"),
+            growth.exponent,
+            growth.uncertainty
+        );
+        assert!(growth.uncertainty < 0.2 * growth.exponent, "{} ± {}", growth.exponent, growth.uncertainty);
     }
 }
 
@@ -109,13 +116,13 @@ fn the_double_pendulum_released_from_120_degrees_is_chaotic() {
 #[test]
 fn a_damped_linear_oscillator_has_minus_half_its_damping() {
     for equation in ["x'' + 0.2 x' + x = cos(1.7 t)", "x'' + 0.2 x' + 9 x = 0"] {
-        let found = measure(equation, &[1.0, 0.0], 400);
+        let growth = measure(equation, &[1.0, 0.0], 400);
         assert!(
-            (found.exponent + 0.1).abs() < 3.0 * found.uncertainty + 1e-6,
+            (growth.exponent + 0.1).abs() < 3.0 * growth.uncertainty + 1e-6,
             "{equation}: {}",
-            found.exponent
+            growth.exponent
         );
-        assert!(found.uncertainty < 2e-3 && matches!(found.verdict, LyapunovVerdict::Regular(_)));
+        assert!(growth.uncertainty < 2e-3 && matches!(growth.verdict, LyapunovVerdict::Regular(_)));
     }
 }
 
@@ -123,19 +130,19 @@ fn a_damped_linear_oscillator_has_minus_half_its_damping() {
 fn in_its_regular_windows_the_driven_pendulum_is_regular() {
     // Locked to the drive: the area in the phase plane shrinks as e^(−t/2), half of it in each direction.
     for amplitude in ["0.9", "1.35", "1.47"] {
-        let found =
+        let growth =
             measure(&format!("theta'' + theta'/2 + sin(theta) = {amplitude} cos(2t/3)"), &[0.2, 0.0], 300);
-        assert!(matches!(found.verdict, LyapunovVerdict::Regular(_)), "{amplitude}: {:?}", found.verdict);
-        assert!(found.exponent > -0.2501 && found.exponent < -0.01, "{amplitude}: {}", found.exponent);
+        assert!(matches!(growth.verdict, LyapunovVerdict::Regular(_)), "{amplitude}: {:?}", growth.verdict);
+        assert!(growth.exponent > -0.2501 && growth.exponent < -0.01, "{amplitude}: {}", growth.exponent);
     }
 }
 
 #[test]
 fn theorems_decide_where_they_hold() {
     // At the unstable equilibrium deviations grow as eᵗ for ever, but the motion is not chaotic.
-    let found = measure("x'' = x - x^3", &[0.0, 0.0], 400);
-    assert!((found.exponent - 1.0).abs() < 1e-12);
-    assert_eq!(found.verdict, LyapunovVerdict::Regular(Regularity::Theorem(Theorem::Plane)));
+    let growth = measure("x'' = x - x^3", &[0.0, 0.0], 400);
+    assert!((growth.exponent - 1.0).abs() < 1e-12);
+    assert_eq!(growth.verdict, LyapunovVerdict::Regular(Regularity::Theorem(Theorem::Plane)));
     let parametric = measure("x'' = -(1 + cos(2 t)/2)*x", &[1.0, 0.0], 50);
     assert!(parametric.exponent > 0.1, "{}", parametric.exponent);
     assert_eq!(parametric.verdict, LyapunovVerdict::Regular(Regularity::Theorem(Theorem::Linear)));
@@ -158,12 +165,12 @@ fn an_unstable_motion_inside_chaos_or_not_is_not_called_chaotic() {
 
 #[test]
 fn units_do_not_matter() {
-    let found = measure("x'' + 0.05 x' + x^3 = 7.5 cos(t)", &[3.0, 4.0], 500);
+    let usual = measure("x'' + 0.05 x' + x^3 = 7.5 cos(t)", &[3.0, 4.0], 500);
     // Lengths in thousandths, times in units a thousand times as long.
     let scaled = measure("x'' + 50 x' + x^3 = 7.5e9 cos(1000 t)", &[3e3, 4e6], 500);
-    assert_eq!(scaled.verdict, found.verdict);
-    let difference = scaled.exponent / 1e3 - found.exponent;
-    assert!(difference.abs() < 4.0 * (found.uncertainty + scaled.uncertainty / 1e3), "{difference}");
+    assert_eq!(scaled.verdict, usual.verdict);
+    let difference = scaled.exponent / 1e3 - usual.exponent;
+    assert!(difference.abs() < 4.0 * (usual.uncertainty + scaled.uncertainty / 1e3), "{difference}");
 }
 
 #[test]
@@ -171,8 +178,8 @@ fn an_interruption_keeps_the_estimate() {
     let stop = |progress: Status| {
         if progress.done >= 50 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    let found = attempt("theta'' + theta'/2 + sin(theta) = 1.5 cos(2t/3)", &[0.2, 0.0], 400, &stop).unwrap();
-    assert_eq!(found.verdict, LyapunovVerdict::Undecided(Doubt::Stopped(Cause::Interrupted)));
-    let (time, last) = *found.convergence.last().unwrap();
-    assert!((time / (1.5 * std::f64::consts::PI) - 50.0).abs() < 1e-9 && last == found.exponent);
+    let growth = attempt("theta'' + theta'/2 + sin(theta) = 1.5 cos(2t/3)", &[0.2, 0.0], 400, &stop).unwrap();
+    assert_eq!(growth.verdict, LyapunovVerdict::Undecided(Doubt::Stopped(Cause::Interrupted)));
+    let (time, last) = *growth.convergence.last().unwrap();
+    assert!((time / (1.5 * std::f64::consts::PI) - 50.0).abs() < 1e-9 && last == growth.exponent);
 }

@@ -46,11 +46,11 @@ fn a_driven_linear_oscillator_is_caught_where_theory_says() {
     let (damping, omega): (f64, f64) = (0.3, 1.7);
     for phase in [0.0, 0.25, 0.7] {
         let cut = Section::Stroboscope { period: None, phase };
-        let found = points_of("x'' + 0.3 x' + x = cos(1.7 t)", &[1.0, 0.0], &cut, 100, 3);
+        let section = points_of("x'' + 0.3 x' + x = cos(1.7 t)", &[1.0, 0.0], &cut, 100, 3);
         let (stiff, slow) = (1.0 - omega * omega, damping * omega);
         let angle = TAU * phase;
         let wanted = (stiff * libm::cos(angle) + slow * libm::sin(angle)) / (stiff * stiff + slow * slow);
-        for (n, point) in (100..).zip(&found.points) {
+        for (n, point) in (100..).zip(&section.points) {
             assert!((point.state[0] - wanted).abs() < 1e-11, "{} {wanted}", point.state[0]);
             assert!((point.time - (f64::from(n) + phase) * TAU / omega).abs() < 1e-10);
         }
@@ -156,9 +156,9 @@ fn crossings_are_on_the_surface_and_keep_the_energy() {
         0.5 * (s[2] * s[2] + s[3] * s[3] + s[0] * s[0] + s[1] * s[1]) + s[0] * s[0] * s[1]
             - s[1] * s[1] * s[1] / 3.0
     };
-    let found = points_of(HENON_HEILES, &start, &surface("x", Direction::Rising), 10, 500);
-    assert_eq!((found.points.len(), found.stopped), (500, None));
-    for Moment { state, .. } in &found.points {
+    let section = points_of(HENON_HEILES, &start, &surface("x", Direction::Rising), 10, 500);
+    assert_eq!((section.points.len(), section.stopped), (500, None));
+    for Moment { state, .. } in &section.points {
         assert!(state[0].abs() < 1e-12 && state[2] > 0.0, "{state:?}");
         assert!((energy(state) - energy(&start)).abs() < 1e-10);
     }
@@ -169,8 +169,8 @@ const HENON_HEILES: &str = "x'' = -x - 2 x y; y'' = -y - x^2 + y^2";
 #[test]
 fn no_crossing_is_missed_or_doubled() {
     let times = |direction| {
-        let found = points_of("x'' = -x", &[1.0, 0.0], &surface("x - 0.999999", direction), 3, 2000);
-        found.points.iter().map(|point| point.time).collect::<Vec<f64>>()
+        let section = points_of("x'' = -x", &[1.0, 0.0], &surface("x - 0.999999", direction), 3, 2000);
+        section.points.iter().map(|point| point.time).collect::<Vec<f64>>()
     };
     let lag = libm::acos(0.999999);
     for (n, time) in (4..).zip(times(Direction::Rising)) {
@@ -184,12 +184,16 @@ fn no_crossing_is_missed_or_doubled() {
 
 #[test]
 fn a_motion_that_crosses_no_more_says_so() {
-    let found = points_of("x'' = 0", &[1.0, -4.0], &surface("x", Direction::Falling), 0, 5);
-    assert_eq!((found.points.len(), found.stopped), (1, Some(SectionEnding::NoCrossing)));
+    let section = points_of("x'' = 0", &[1.0, -4.0], &surface("x", Direction::Falling), 0, 5);
+    assert_eq!((section.points.len(), section.stopped), (1, Some(SectionEnding::NoCrossing)));
     // A motion that escapes never crosses the surface.
     for running in ["x'' = 1", "x'' = x"] {
-        let found = points_of(running, &[0.5, 1.0], &surface("x", Direction::Rising), 0, 5);
-        assert_eq!((found.points.len(), found.stopped), (0, Some(SectionEnding::NeverCrossed)), "{running}");
+        let section = points_of(running, &[0.5, 1.0], &surface("x", Direction::Rising), 0, 5);
+        assert_eq!(
+            (section.points.len(), section.stopped),
+            (0, Some(SectionEnding::NeverCrossed)),
+            "{running}"
+        );
     }
 }
 
@@ -206,8 +210,8 @@ fn a_level_that_is_only_touched_is_not_crossed() {
         };
         let (equation, points) = ("x'' = -x".parse().unwrap(), Points { skipped: 0, recorded: 1 });
         let (surface, effort) = (surface(formula, Direction::Any), Effort::to_tolerance(tolerance));
-        let found = compute_section(&equation, &from(&[1.0, 0.0]), &surface, points, &effort, &progress);
-        let PoincareSection { points, stopped } = found.unwrap();
+        let section = compute_section(&equation, &from(&[1.0, 0.0]), &surface, points, &effort, &progress);
+        let PoincareSection { points, stopped } = section.unwrap();
         assert_eq!(points, [], "{formula}");
         assert_eq!(stopped, Some(SectionEnding::Stopped(Cause::Interrupted)), "{formula}");
     }
@@ -216,9 +220,9 @@ fn a_level_that_is_only_touched_is_not_crossed() {
 /// The amplitude decreases by forty powers of ten, below the errors that the first steps would have by their size.
 #[test]
 fn crossings_of_a_decaying_motion_count_at_any_amplitude() {
-    let found = points_of("x'' = -x - 0.2*x'", &[1.0, 0.0], &surface("x", Direction::Rising), 0, 150);
+    let section = points_of("x'' = -x - 0.2*x'", &[1.0, 0.0], &surface("x", Direction::Rising), 0, 150);
     let turn = TAU / 0.99_f64.sqrt();
-    let intervals = found.points.windows(2).map(|pair| pair[1].time - pair[0].time);
+    let intervals = section.points.windows(2).map(|pair| pair[1].time - pair[0].time);
     assert!(
         intervals.clone().count() == 149
             && intervals.into_iter().all(|interval| (interval - turn).abs() < 1e-9)
@@ -244,8 +248,8 @@ fn a_motion_that_came_to_rest_is_not_followed_for_long() {
             ControlFlow::Continue(())
         };
         let equation = equation.parse().unwrap();
-        let found = compute_section(&equation, &from(start), &surface, points, &effort, &progress).unwrap();
-        assert_eq!(found.points.len(), crossings, "{equation}");
+        let section = compute_section(&equation, &from(start), &surface, points, &effort, &progress).unwrap();
+        assert_eq!(section.points.len(), crossings, "{equation}");
         assert!(steps.get() < 40_000, "{equation}: {} steps", steps.get());
     }
 }
@@ -253,8 +257,8 @@ fn a_motion_that_came_to_rest_is_not_followed_for_long() {
 #[test]
 fn a_surface_that_moves_comes_to_a_motion_at_rest() {
     let surface = surface("cos(t/2000) - 1/2", Direction::Rising);
-    let found = points_of(LORENZ, &[1.0, 1.0, 1.0], &surface, 0, 1);
-    assert!((found.points[0].time - 2000.0 * (TAU - PI / 3.0)).abs() < 1e-5);
+    let section = points_of(LORENZ, &[1.0, 1.0, 1.0], &surface, 0, 1);
+    assert!((section.points[0].time - 2000.0 * (TAU - PI / 3.0)).abs() < 1e-5);
 }
 
 #[test]
@@ -284,15 +288,16 @@ fn interruptions_keep_what_is_done() {
         assert!(columns.is_empty());
     }
     let equation = "theta'' + theta'/2 + sin(theta) = cos(2t/3)".parse().unwrap();
-    let found = compute_section(&equation, &start, &FLASH, points, &effort, &stop(7)).unwrap();
-    assert_eq!(found.stopped, Some(SectionEnding::Stopped(Cause::Interrupted)));
-    assert!((7..20).contains(&found.points.len()), "{}", found.points.len());
+    let section = compute_section(&equation, &start, &FLASH, points, &effort, &stop(7)).unwrap();
+    assert_eq!(section.stopped, Some(SectionEnding::Stopped(Cause::Interrupted)));
+    assert!((7..20).contains(&section.points.len()), "{}", section.points.len());
 }
 
 #[test]
 fn the_period_of_a_drive_is_found_where_there_is_one() {
     let period = |equation: &str| drive_period(&equation.parse().unwrap());
-    let close = |found: Option<f64>, wanted: f64| assert!((found.unwrap() / wanted - 1.0).abs() < 1e-15);
+    let close =
+        |computed: Option<f64>, wanted: f64| assert!((computed.unwrap() / wanted - 1.0).abs() < 1e-15);
     close(period("x'' = -x + cos(5*t)"), TAU / 5.0);
     close(period("x'' = -x + cos(t/2) + sin(t/3)*x"), 6.0 * TAU);
     close(period("x'' = -x - y; y'' = -y + cos(2*pi*t)"), 1.0);
@@ -339,8 +344,8 @@ fn the_period_is_the_least_in_which_the_equations_repeat() {
         ("x'' = -x + sign(cos(t))", TAU),
         ("x'' = -x*(cos(t)^2 + sin(t)^2)", TAU),
     ] {
-        let found = drive_period(&equation.parse().unwrap()).unwrap();
-        assert!((found / period - 1.0).abs() < 1e-15, "{equation}: {found:?} for {period:?}");
+        let computed = drive_period(&equation.parse().unwrap()).unwrap();
+        assert!((computed / period - 1.0).abs() < 1e-15, "{equation}: {computed:?} for {period:?}");
     }
     let (frequency, times) = drive_frequency(&"x'' = -x + A*cos(w*t)^2".parse().unwrap()).unwrap();
     assert_eq!((frequency.to_string().as_str(), times), ("2*w", 1));
@@ -367,11 +372,15 @@ fn a_section_tells_how_far_it_is_and_stops_when_asked() {
             reports.borrow_mut().push(status);
             if status.done >= 5 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let found = compute_section(&equation, &from(&[1.0, 0.0]), &cut, points, &effort, &progress).unwrap();
-        assert_eq!(found.stopped, Some(SectionEnding::Stopped(Cause::Interrupted)));
+        let section =
+            compute_section(&equation, &from(&[1.0, 0.0]), &cut, points, &effort, &progress).unwrap();
+        assert_eq!(section.stopped, Some(SectionEnding::Stopped(Cause::Interrupted)));
         let reports = reports.into_inner();
-        assert!(reports.is_sorted_by_key(|it| it.done) && reports.iter().all(|report| report.of == Some(20)));
-        assert_eq!((found.points.len(), reports.last().unwrap().done), (5, 5));
+        assert!(
+            reports.is_sorted_by_key(|report| report.done)
+                && reports.iter().all(|report| report.of == Some(20))
+        );
+        assert_eq!((section.points.len(), reports.last().unwrap().done), (5, 5));
     }
 }
 

@@ -15,10 +15,10 @@ fn evidence(growth: impl Fn(usize) -> f64) -> Evidence {
 }
 
 /// A motion with such a deviation that is alternately at zero and at a given position.
-fn wandering(growth: impl Fn(usize) -> f64, place: impl Fn(usize) -> f64) -> Evidence {
+fn wandering(growth: impl Fn(usize) -> f64, position: impl Fn(usize) -> f64) -> Evidence {
     let mut evidence = Evidence::new(1.0, 1);
     for n in 0..INTERVALS {
-        evidence.add(growth(n), &[if n.is_multiple_of(2) { 0.0 } else { place(n) }], INTERVALS);
+        evidence.add(growth(n), &[if n.is_multiple_of(2) { 0.0 } else { position(n) }], INTERVALS);
     }
     evidence
 }
@@ -40,8 +40,8 @@ fn steady_growth_on_a_bounded_motion_is_chaotic() {
 fn growth_below_e_to_the_hundred_is_too_short() {
     // After the beginning, which is not counted, there are 200 intervals.
     for (total, chaotic) in [(99.9, false), (100.1, true)] {
-        let found = verdict(&evidence(|_| total / 200.0));
-        match found {
+        let judged = verdict(&evidence(|_| total / 200.0));
+        match judged {
             LyapunovVerdict::Chaotic => assert!(chaotic, "{total}"),
             LyapunovVerdict::Undecided(Doubt::TooShort { growth }) => {
                 assert!(!chaotic && (growth - total).abs() < 1e-9, "{growth}");

@@ -5,11 +5,12 @@ use libration::taylor::System;
 use libration_numbers::internals::progress::Watch;
 
 /// The duration of a motion from rest to rest, and the position of the end.
-fn half_period(equation: &str, place: &BigFloat) -> [BigFloat; 2] {
+fn half_period(equation: &str, position: &BigFloat) -> [BigFloat; 2] {
     let equation = equation.parse().unwrap();
     let (system, acceleration) = (System::new(&equation).unwrap(), Acceleration::new(&equation).unwrap());
-    let half =
-        Motion::new(&system, &acceleration.tape, 128, &Watch::new(&Quiet)).half_period(place, 0.0).unwrap();
+    let half = Motion::new(&system, &acceleration.tape, 128, &Watch::new(&Quiet))
+        .half_period(position, 0.0)
+        .unwrap();
     [half.duration, half.end]
 }
 

@@ -37,28 +37,28 @@ fn difference(flow: &Flow, inputs: [&[f64]; 2], displaced: [usize; 2], times: [f
     moved(ASIDE).iter().zip(moved(-ASIDE)).map(|(a, b)| (a - b) / (2.0 * ASIDE)).collect()
 }
 
-fn assert_near(own: impl Iterator<Item = f64>, other: &[f64], what: &str) {
+fn assert_near(computed: impl Iterator<Item = f64>, other: &[f64], what: &str) {
     // The third derivative of the flow, of the order of 10 to 1000, times 1e-12/6; the rounding of the ends, 1e-15, over 1e-6.
     const ALLOWED: f64 = 1e-7;
-    for (number, (own, other)) in own.zip(other).enumerate() {
-        let error = (own - other).abs();
-        assert!(error <= ALLOWED * (1.0 + other.abs()), "{what}, {number}: {own} is not {other}");
+    for (number, (computed, other)) in computed.zip(other).enumerate() {
+        let error = (computed - other).abs();
+        assert!(error <= ALLOWED * (1.0 + other.abs()), "{what}, {number}: {computed} is not {other}");
     }
 }
 
 /// All derivatives of a motion are the differences of its neighbours.
 fn assert_derivatives(flow: &Flow, state: &[f64], parameters: &[f64], times: [f64; 2], what: &str) {
-    let found = variations(flow, state, parameters, times).unwrap();
+    let computed = variations(flow, state, parameters, times).unwrap();
     let own_end = end(flow, state, parameters, times);
-    assert_near(found.end.iter().copied(), &own_end, &format!("{what}: end"));
+    assert_near(computed.end.iter().copied(), &own_end, &format!("{what}: end"));
     for start in 0..state.len() {
         let other = difference(flow, [state, parameters], [0, start], times);
-        let own = found.by_start.iter().map(|row| row[start]);
-        assert_near(own, &other, &format!("{what}: by component {start}"));
+        let column = computed.by_start.iter().map(|row| row[start]);
+        assert_near(column, &other, &format!("{what}: by component {start}"));
     }
-    for (number, own) in found.by_parameters.iter().enumerate() {
+    for (number, column) in computed.by_parameters.iter().enumerate() {
         let other = difference(flow, [state, parameters], [1, number], times);
-        assert_near(own.iter().copied(), &other, &format!("{what}: by parameter {number}"));
+        assert_near(column.iter().copied(), &other, &format!("{what}: by parameter {number}"));
     }
 }
 
@@ -106,11 +106,11 @@ fn deviations_of_a_velocity_end_where_it_sticks() {
         let mut slid = 0;
         for to in [3.0, 5.0, 9.0, 13.7, 16.0, 21.0] {
             assert_derivatives(&flow, &state, &[0.1], [0.0, to], &format!("{text} to {to}"));
-            let found = variations(&flow, &state, &[0.1], [0.0, to]).unwrap();
+            let computed = variations(&flow, &state, &[0.1], [0.0, to]).unwrap();
             let velocity = flow.layout.driven(0);
-            if found.end[velocity] == 0.0 {
+            if computed.end[velocity] == 0.0 {
                 slid += 1;
-                assert!(found.by_start[velocity].iter().all(|x| *x == 0.0), "{text} to {to}");
+                assert!(computed.by_start[velocity].iter().all(|x| *x == 0.0), "{text} to {to}");
             }
         }
         assert!((1..6).contains(&slid), "{text}: {slid} of the ends are at rest");
@@ -128,9 +128,9 @@ fn the_rate_of_an_autonomous_motion_is_carried_along() {
     let states = [vec![maximum, 0.0], vec![1.0, 0.3], vec![-2.0, 0.0]];
     for (state, to) in states.iter().flat_map(|state| [1.0, 4.0, 0.5 * period, period].map(|to| (state, to)))
     {
-        let found = variations(&flow, state, &[], [0.0, to]).unwrap();
-        for (row, rate) in found.by_start.iter().zip(&found.rates[1]) {
-            let carried: f64 = row.iter().zip(&found.rates[0]).map(|(a, b)| a * b).sum();
+        let computed = variations(&flow, state, &[], [0.0, to]).unwrap();
+        for (row, rate) in computed.by_start.iter().zip(&computed.rates[1]) {
+            let carried: f64 = row.iter().zip(&computed.rates[0]).map(|(a, b)| a * b).sum();
             assert!((carried - rate).abs() < 1e-13, "{state:?} to {to}: {carried} is not {rate}");
         }
     }
@@ -164,8 +164,8 @@ fn derivatives_of_pieces_multiply_to_that_of_the_whole() {
 fn a_motion_that_touches_a_jump_has_no_derivative() {
     // Below x = 1 the motion is sin t.
     let flow = flow("x'' = -x - (1 + sign(x - 1))/4", &[]);
-    let found = variations(&flow, &[0.0, 1.0], &[], [0.0, 3.0]);
-    let Err(IntegrationError::NoDerivative { cause, time }) = found else { panic!("{found:?}") };
+    let outcome = variations(&flow, &[0.0, 1.0], &[], [0.0, 3.0]);
+    let Err(IntegrationError::NoDerivative { cause, time }) = outcome else { panic!("{outcome:?}") };
     assert_eq!(cause, NoDerivative::Grazing);
     assert!((time - FRAC_PI_2).abs() < 1e-6, "{time}");
     for speed in [0.999, 1.001] {
@@ -183,9 +183,9 @@ fn jumps_at_one_time_have_a_derivative_if_their_order_does_not_matter() {
     assert_eq!(both.by_start[3][2], 0.0);
 
     let together = flow("x' = 1 + 0.5*sign(y); y' = 1 + 0.3*sign(x)", &[]);
-    let found = variations(&together, &[-0.5, -0.7], &[], [0.0, 2.0]);
-    let Err(IntegrationError::NoDerivative { cause: NoDerivative::Together, time }) = found else {
-        panic!("{found:?}")
+    let outcome = variations(&together, &[-0.5, -0.7], &[], [0.0, 2.0]);
+    let Err(IntegrationError::NoDerivative { cause: NoDerivative::Together, time }) = outcome else {
+        panic!("{outcome:?}")
     };
     assert!((time - 1.0).abs() < 1e-14, "{time}");
 }

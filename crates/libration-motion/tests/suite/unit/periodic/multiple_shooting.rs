@@ -14,8 +14,8 @@ fn closed(equation: &str, start: impl Fn(f64) -> f64) -> Option<Vec<f64>> {
     let piece = |number: usize, state: &[f64], _: &[f64]| {
         let number = u32::try_from(number).ok()?;
         let times = [time(number), time(number + 1)];
-        let found = flow.variations(state, &[], times, 1e-16, || ControlFlow::Continue(())).ok()?;
-        Some(Piece { end: found.end, by_start: found.by_start, by_further: vec![] })
+        let variations = flow.variations(state, &[], times, 1e-16, || ControlFlow::Continue(())).ok()?;
+        Some(Piece { end: variations.end, by_start: variations.by_start, by_further: vec![] })
     };
     let frame = Frame { units: &[0.1], shift: &[0.0], conditions: &[] };
     let closed = Nodes { states, further: vec![] }.closed(frame, piece)?;

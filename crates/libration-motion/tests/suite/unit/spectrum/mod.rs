@@ -104,8 +104,8 @@ fn motions_are_sampled_until_their_fastest_oscillations_show() {
 #[test]
 fn a_trend_is_told_from_a_swing() {
     let swing = integrated("x'' + x = 0", &[("x", 1.0)], 100.0);
-    for place in 0..32_u32 {
-        let from = 0.2 * f64::from(place);
+    for number in 0..32_u32 {
+        let from = 0.2 * f64::from(number);
         for until in [from + 45.0, from + 48.1] {
             assert!(Spectrum::of_motion(&swing, 0, [from, until]).is_ok(), "{from} {until}");
         }

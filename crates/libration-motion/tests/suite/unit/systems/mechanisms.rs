@@ -184,12 +184,13 @@ impl Open {
 
     /// The time derivative along the motion.
     pub(super) fn rate(&self, of: &Expression) -> Expression {
-        let terms =
-            self.places().zip(self.model.equation().accelerations()).flat_map(|(place, acceleration)| {
-                let velocity = place.with_primes(1);
-                let by_place = product(of.derivative(&place), Expression::Symbol(velocity.clone()));
+        let terms = self.places().zip(self.model.equation().accelerations()).flat_map(
+            |(coordinate, acceleration)| {
+                let velocity = coordinate.with_primes(1);
+                let by_place = product(of.derivative(&coordinate), Expression::Symbol(velocity.clone()));
                 [by_place, product(of.derivative(&velocity), acceleration.clone())]
-            });
+            },
+        );
         sum([of.derivative(&Symbol::plain("t"))].into_iter().chain(terms))
     }
 
@@ -197,13 +198,13 @@ impl Open {
     pub(super) fn numbers(&self, trial: u32) -> Numbers {
         let mut random = Weyl(f64::from(trial));
         let mut numbers = BTreeMap::from([(Symbol::plain("t"), random.between(0.0, 3.0))]);
-        for place in self.places() {
+        for coordinate in self.places() {
             // Powers that are not integers require a positive velocity in (54).
             let sign =
                 if self.named.key == "damped_pendulum_54" || trial.is_multiple_of(2) { 1.0 } else { -1.0 };
-            numbers.insert(place.with_primes(1), sign * random.between(0.3, 1.5));
-            let from = if place.name == "r" { 1.0 } else { 0.2 };
-            numbers.insert(place, from + random.between(0.0, 0.4));
+            numbers.insert(coordinate.with_primes(1), sign * random.between(0.3, 1.5));
+            let from = if coordinate.name == "r" { 1.0 } else { 0.2 };
+            numbers.insert(coordinate, from + random.between(0.0, 0.4));
         }
         for parameter in self.named.parameters {
             let from = if parameter.name == "I" { 2.0 } else { 0.6 };
@@ -248,7 +249,7 @@ impl Mechanism {
         let square = |a: Expression| product(a.clone(), a);
         sum(self.masses.iter().map(|[inertia, _, x, y, z]| {
             // Positions do not depend on velocities, so that the accelerations do not enter.
-            let speeds = [x, y, z].map(|place| square(system.rate(&self.part(place))));
+            let speeds = [x, y, z].map(|position| square(system.rate(&self.part(position))));
             half(formula(inertia), sum(speeds))
         }))
     }

@@ -18,17 +18,17 @@ fn every_system_obeys_lagranges_equations_of_its_masses() {
         assert_eq!(system.named.key, mechanism.key);
         let potential = Expression::Negate(Box::new(mechanism.potential_energy()));
         let lagrangian = sum([mechanism.kinetic_energy(&system), potential]);
-        for (place, force) in system.places().zip(mechanism.forces) {
-            let momentum_rate = system.rate(&lagrangian.derivative(&place.with_primes(1)));
-            let slope = lagrangian.derivative(&place);
+        for (coordinate, force) in system.places().zip(mechanism.forces) {
+            let momentum_rate = system.rate(&lagrangian.derivative(&coordinate.with_primes(1)));
+            let slope = lagrangian.derivative(&coordinate);
             for trial in 0..TRIALS {
                 let numbers = system.numbers(trial);
                 let [rate, slope, force] =
-                    [&momentum_rate, &slope, &formula(force)].map(|it| numbers.value(it));
+                    [&momentum_rate, &slope, &formula(force)].map(|term| numbers.value(term));
                 let size = rate.abs() + slope.abs() + force.abs();
                 assert!(
                     (rate - slope - force).abs() < 1e-14 * (1.0 + size),
-                    "{} {place}: {rate} {slope} {force}",
+                    "{} {coordinate}: {rate} {slope} {force}",
                     mechanism.key
                 );
             }
@@ -51,15 +51,15 @@ fn bodies_are_where_the_masses_are_on_rods_of_one_length() {
             let lengths = (0..TRIALS).map(|trial| {
                 let numbers = system.numbers(trial);
                 let value = |text: &str| numbers.value(&formula(text));
-                let place = body.place.map(value);
+                let position = body.place.map(value);
                 assert_eq!(
-                    place.map(f64::to_bits),
+                    position.map(f64::to_bits),
                     [value(x), value(z)].map(f64::to_bits),
                     "{}",
                     system.named.key
                 );
                 let held = body.pivot.map(value);
-                let length = libm::hypot(libm::hypot(place[0] - held[0], place[1] - held[1]), value(y));
+                let length = libm::hypot(libm::hypot(position[0] - held[0], position[1] - held[1]), value(y));
                 let names = ["r", "l", "l1", "l2"].map(Symbol::plain);
                 (length, names.map(|name| numbers.0.get(&name).copied()))
             });
@@ -80,22 +80,22 @@ fn every_energy_is_that_of_the_masses() {
         if system.named.energy.is_empty() {
             continue;
         }
-        let own = formula(system.named.energy);
+        let stated = formula(system.named.energy);
         let sum = sum([mechanism.kinetic_energy(&system), mechanism.potential_energy()]);
         for trial in 0..TRIALS {
             let numbers = system.numbers(trial);
             // The zero of the potential is arbitrary.
             let mut resting = system.numbers(trial);
-            for place in system.places() {
-                resting.0.insert(place.with_primes(1), 0.0);
-                resting.0.insert(place, 0.5);
+            for coordinate in system.places() {
+                resting.0.insert(coordinate.with_primes(1), 0.0);
+                resting.0.insert(coordinate, 0.5);
             }
             let change = |energy: &Expression| numbers.value(energy) - resting.value(energy);
             assert!(
-                (change(&own) - change(&sum)).abs() < 1e-14,
+                (change(&stated) - change(&sum)).abs() < 1e-14,
                 "{}: {} {}",
                 mechanism.key,
-                change(&own),
+                change(&stated),
                 change(&sum)
             );
         }

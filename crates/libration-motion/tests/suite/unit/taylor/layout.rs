@@ -33,13 +33,13 @@ fn velocities_follow_for_those_that_have_one() {
 fn copies_stand_between_coordinates_and_velocities() {
     use libration::taylor::with_tangents;
     let equation: Equation = "q' = x; x'' = -q*x".parse().unwrap();
-    let (own, copied) = (StateLayout::new(&equation), with_tangents(&equation, 2));
+    let (layout, copied) = (StateLayout::new(&equation), with_tangents(&equation, 2));
     let symbols = StateLayout::new(&copied).symbols(copied.variables());
-    let names = own.symbols(equation.variables());
+    let names = layout.symbols(equation.variables());
     for (number, name) in names.iter().enumerate() {
         for copy in 0..3 {
             let expected = if copy == 0 { name.to_string() } else { format!("delta{copy} {name}") };
-            assert_eq!(symbols[own.place_in_copy(number, copy, 2)].to_string(), expected);
+            assert_eq!(symbols[layout.place_in_copy(number, copy, 2)].to_string(), expected);
         }
     }
 }

@@ -56,8 +56,11 @@ fn quotients_by_constants_are_right_at_all_orders() {
     for (n, coefficients) in block.series(0).iter().enumerate() {
         expected /= if n == 0 { 1.0 } else { 7.0 * count(n) };
         for (lane, coefficient) in coefficients.iter().enumerate() {
-            let found = coefficient / (1.0 + count(lane));
-            assert!((found / expected - 1.0).abs() < 4e-16 * count(n + 1), "{n} {lane}: {found} {expected}");
+            let computed = coefficient / (1.0 + count(lane));
+            assert!(
+                (computed / expected - 1.0).abs() < 4e-16 * count(n + 1),
+                "{n} {lane}: {computed} {expected}"
+            );
         }
     }
     assert!(block.series(0).len() > 20);
@@ -143,8 +146,8 @@ fn machine_code_gives_the_bits_of_the_interpreter() {
         let system = System::new(&equations.parse().unwrap()).unwrap();
         let state = &[0.7, 1.3, -0.4, 0.9][..system.layout().numbers()];
         for order in [2, 7, 16, 31, 39] {
-            let found = [both_ways::<1>(&system, order, state), both_ways::<8>(&system, order, state)];
-            for [interpreted, compiled] in found.into_iter().flatten() {
+            let both = [both_ways::<1>(&system, order, state), both_ways::<8>(&system, order, state)];
+            for [interpreted, compiled] in both.into_iter().flatten() {
                 let same = interpreted.iter().zip(&compiled).all(|(a, b)| a.to_bits() == b.to_bits());
                 assert!(same && interpreted.iter().all(|c| c.is_finite()), "{equations} {order}");
                 compared += 1;

@@ -29,12 +29,12 @@ fn zeros_of_any_size_are_found_to_their_last_bits() {
         for power in 1..=12 {
             let mut binomial = vec![0.0; power + 1];
             (binomial[0], binomial[power]) = (-1.0, (0..power).fold(1.0, |product, _| product / small));
-            let place = first_sign_change(&binomial).unwrap();
-            assert!((place / small - 1.0).abs() < 4.0 * f64::EPSILON, "{small} {power}: {place}");
+            let position = first_sign_change(&binomial).unwrap();
+            assert!((position / small - 1.0).abs() < 4.0 * f64::EPSILON, "{small} {power}: {position}");
         }
         if exponent <= 50 {
-            let place = first_sign_change(&[small - 1.0, 1.0]).unwrap();
-            assert!((place - (1.0 - small)).abs() <= 2.0 * f64::EPSILON, "{small}: {place}");
+            let position = first_sign_change(&[small - 1.0, 1.0]).unwrap();
+            assert!((position - (1.0 - small)).abs() <= 2.0 * f64::EPSILON, "{small}: {position}");
         }
     }
 }

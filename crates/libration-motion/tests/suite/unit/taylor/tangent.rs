@@ -25,9 +25,9 @@ fn deviations_are_the_limit_of_differences_of_motions() {
         start[column + 2] = 1.0;
         let tangent = end(&with_tangents(&equation, 1), &start, time);
         let difference = shifted(step).into_iter().zip(shifted(-step)).map(|(a, b)| (a - b) / (2.0 * step));
-        for (found, expected) in [2, 3, 6, 7].map(|n| tangent[n]).into_iter().zip(difference) {
+        for (computed, expected) in [2, 3, 6, 7].map(|n| tangent[n]).into_iter().zip(difference) {
             // The third derivative times step²/6, and rounding errors over the step.
-            assert!((found - expected).abs() < 1e-8, "{found} {expected}");
+            assert!((computed - expected).abs() < 1e-8, "{computed} {expected}");
         }
     }
 }
