@@ -49,7 +49,8 @@ impl Oscillator {
     fn roughly_after(&self, state: [f64; 2], w: f64, periods: u32) -> [f64; 2] {
         const FEW: u32 = 40;
         let step = TAU / (self.beat * w) / f64::from(FEW);
-        (0..periods * FEW).fold(state, |state, it| self.smooth_step(state, w, step * f64::from(it), step))
+        (0..periods * FEW)
+            .fold(state, |state, step_number| self.smooth_step(state, w, step * f64::from(step_number), step))
     }
 
     /// One step, or two if a kink of the force lies between its ends: across
@@ -151,7 +152,7 @@ fn check_steps(oscillator: &Oscillator, branch: &Branch) {
         let leaves = number == 0 && branch.beginning == Ending::BranchPoint;
         // At the end of a branch on another one a multiplier is on the unit circle within its error.
         let is_end = number == 0 || number + 2 == branch.points.len();
-        let is_open = is_end && [a, b].iter().any(|it| it.stability == Stability::Undetermined);
+        let is_open = is_end && [a, b].iter().any(|point| point.stability == Stability::Undetermined);
         if leaves || is_open || has_special || branch.unresolved.iter().any(is_left_out) {
             continue;
         }
@@ -354,7 +355,7 @@ fn smooth_oscillators_have_the_motions_of_a_sweep_by_brute_force() {
 fn settled(oscillator: &Oscillator, w: f64, reach: f64) -> Vec<([f64; 2], u32)> {
     const SIDE: i32 = 2;
     let grid = (-SIDE..=SIDE).flat_map(|i| (-SIDE..=SIDE).map(move |j| [i, j]));
-    let mut found: Vec<([f64; 2], u32)> = vec![];
+    let mut motions: Vec<([f64; 2], u32)> = vec![];
     for start in grid.map(|grid| grid.map(|k| reach * f64::from(k) / f64::from(SIDE))) {
         let state = oscillator.roughly_after([start[0], start[1] * w], w, 150);
         let motion = [1, 2].into_iter().find_map(|periods| {
@@ -363,11 +364,11 @@ fn settled(oscillator: &Oscillator, w: f64, reach: f64) -> Vec<([f64; 2], u32)> 
             (near && growth < 1.0 - OPEN).then_some((closed, periods))
         });
         let is_new = |(a, _): &([f64; 2], u32)| {
-            found.iter().all(|(b, _)| (0..2).any(|i| (a[i] - b[i]).abs() > 1e-5 * (1.0 + b[0].abs())))
+            motions.iter().all(|(b, _)| (0..2).any(|i| (a[i] - b[i]).abs() > 1e-5 * (1.0 + b[0].abs())))
         };
-        found.extend(motion.filter(is_new));
+        motions.extend(motion.filter(is_new));
     }
-    found
+    motions
 }
 
 /// The distance of a motion from the nearest end of a branch at a value, over all copies of the motion.
@@ -398,7 +399,7 @@ fn number_missed(
         let response = oscillator.response();
         for w in oscillator.range {
             for (state, _) in
-                settled(&oscillator, w, reach).iter().filter(|it| f64::from(it.1) <= most_periods)
+                settled(&oscillator, w, reach).iter().filter(|motion| f64::from(motion.1) <= most_periods)
             {
                 all += 1;
                 let off = distance(&oscillator, &response, w, *state);
@@ -496,11 +497,14 @@ impl Pair {
                 let mirrored = self.followed(end, w, 1).map(|x| -x);
                 let is_near =
                     |number: &usize| far(here[*number], end).min(far(here[*number], mirrored)) < 1e-3;
-                let own: Vec<usize> = (0..here.len()).filter(is_near).collect();
-                assert!(own.len() == 1 && here[own[0]].is_stable(), "{end:?} at w = {w} is on {own:?}");
-                seen[own[0]] = true;
+                let nearest: Vec<usize> = (0..here.len()).filter(is_near).collect();
+                assert!(
+                    nearest.len() == 1 && here[nearest[0]].is_stable(),
+                    "{end:?} at w = {w} is on {nearest:?}"
+                );
+                seen[nearest[0]] = true;
             }
-            seen.into_iter().filter(|it| *it).count()
+            seen.into_iter().filter(|is_seen| *is_seen).count()
         })
     }
 
@@ -533,7 +537,7 @@ fn mirror_images_about_the_top_are_followed_once() {
     let (hanging, upright) = (branches("+"), branches("-"));
     let ([hanging], [upright]) = (&hanging[..], &upright[..]) else { panic!("{hanging:?} {upright:?}") };
     assert!(!upright.space.mirrored);
-    let [a, b] = [hanging, upright].map(|it| swings(it).unwrap());
+    let [a, b] = [hanging, upright].map(|branch| swings(branch).unwrap());
     assert!((a - b).abs() < 1e-9, "{a} {b}");
 }
 
@@ -597,7 +601,8 @@ fn a_range_between_the_folds_has_both_stable_branches() {
         [(1.1, [-0.5214468245574, 1.6954936148828]), (1.35, [-0.1216164199760, 1.4076615831498])];
     let equation = "x'' + 0.1*x^3 + 0.02*x' + x = 0.1*cos(W*t)".parse().unwrap();
     let response = Response::over(&equation, "W", [1.1, 1.35], &ResponseOptions::default(), &Quiet).unwrap();
-    for (value, place) in EXPECTED.into_iter().flat_map(|(value, places)| places.map(|place| (value, place)))
+    for (value, position) in
+        EXPECTED.into_iter().flat_map(|(value, places)| places.map(|position| (value, position)))
     {
         let ends = response
             .branches
@@ -605,8 +610,8 @@ fn a_range_between_the_folds_has_both_stable_branches() {
             .flat_map(|branch| [branch.points.first(), branch.points.last()])
             .flatten();
         let stable = ends.filter(|end| end.parameter.to_bits() == value.to_bits() && end.is_stable());
-        let off = stable.map(|stable| (stable.state[0] - place).abs()).fold(f64::INFINITY, f64::min);
-        assert!(off < 1e-9, "{place} at {value} is missed by {off}");
+        let off = stable.map(|stable| (stable.state[0] - position).abs()).fold(f64::INFINITY, f64::min);
+        assert!(off < 1e-9, "{position} at {value} is missed by {off}");
     }
 }
 
@@ -750,7 +755,7 @@ fn tongues_narrower_than_a_step_are_found() {
     let parametrons = [[0.95, 1.05], [0.9985, 1.3]].map(|range| (parametron(range), edges));
     for (oscillator, edges) in [(shaken, [1.98, 2.02])].into_iter().chain(parametrons) {
         let response = oscillator.response();
-        let rest: Vec<f64> = response.branches[0].special.iter().map(|it| it.point.parameter).collect();
+        let rest: Vec<f64> = response.branches[0].special.iter().map(|edge| edge.point.parameter).collect();
         let tolerance = if edges[0] > 1.5 { 2e-3 } else { 1e-8 };
         assert!(
             rest.len() == 2 && rest.iter().zip(edges).all(|(a, b)| (a - b).abs() < tolerance),
@@ -829,17 +834,17 @@ fn ratios_of_multipliers(flow: &Flow, point: &BranchPoint) -> Vec<f64> {
         flow.variations(&point.state, &[point.parameter], span, tolerance, go_on).unwrap().by_start
     };
     let matrix = to_tolerance(3e-16);
-    let own = eigenvalues(&matrix).unwrap();
+    let multipliers = eigenvalues(&matrix).unwrap();
     // At a kink, two integrations differ by far more than the rounding of a multiplication.
     let other = eigenvalues(&to_tolerance(1e-16)).unwrap();
-    let errors = multiplier_errors(&matrix, &[1.0; 2], &own, 1e-15);
+    let errors = multiplier_errors(&matrix, &[1.0; 2], &multipliers, 1e-15);
     let nearest = |all: &[Complex], z: Complex| {
-        let off = all.iter().enumerate().map(|(place, it)| ((*it - z).abs(), place));
+        let off = all.iter().enumerate().map(|(index, multiplier)| ((*multiplier - z).abs(), index));
         off.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap()
     };
     let ratio = |(z, stated): (&Complex, &f64)| {
-        let (off, place) = nearest(&own, *z);
-        off / (stated + errors[place] + nearest(&other, own[place]).0)
+        let (off, index) = nearest(&multipliers, *z);
+        off / (stated + errors[index] + nearest(&other, multipliers[index]).0)
     };
     point.multipliers.iter().zip(&point.multiplier_errors).map(ratio).collect()
 }

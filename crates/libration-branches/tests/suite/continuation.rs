@@ -27,20 +27,21 @@ fn specials(response: &Response, kind: SpecialKind) -> Vec<f64> {
 
 /// Asserts that one of the special points of a kind is at a value, to 12 digits and within its stated error.
 fn assert_special(response: &Response, kind: SpecialKind, expected: f64, amplitude: Option<f64>) {
-    let special = response.branches.iter().flat_map(|branch| &branch.special).filter(|it| it.kind == kind);
+    let special =
+        response.branches.iter().flat_map(|branch| &branch.special).filter(|special| special.kind == kind);
     let off = |parameter: f64| (parameter - expected).abs();
     let nearest = special.min_by(|a, b| off(a.point.parameter).total_cmp(&off(b.point.parameter)));
     let nearest = nearest.unwrap_or_else(|| panic!("no {kind} at {expected}"));
-    let found = nearest.point.parameter;
-    assert!(off(found) <= 1e-12 * expected, "{kind} at {found:?} for {expected:?}");
+    let parameter = nearest.point.parameter;
+    assert!(off(parameter) <= 1e-12 * expected, "{kind} at {parameter:?} for {expected:?}");
     assert!(
-        off(found) <= nearest.error.max(2e-13 * expected),
-        "{kind} at {found:?} ± {:e} for {expected:?}",
+        off(parameter) <= nearest.error.max(2e-13 * expected),
+        "{kind} at {parameter:?} ± {:e} for {expected:?}",
         nearest.error
     );
     if let Some(amplitude) = amplitude {
-        let found = nearest.point.amplitude(0, true);
-        assert!((found - amplitude).abs() < 1e-11, "{kind}: amplitude {found:?} for {amplitude:?}");
+        let computed = nearest.point.amplitude(0, true);
+        assert!((computed - amplitude).abs() < 1e-11, "{kind}: amplitude {computed:?} for {amplitude:?}");
     }
 }
 
@@ -182,8 +183,8 @@ fn neighbouring_branches_are_not_mistaken_for_each_other() {
     assert_eq!((low.parameter, high.parameter), (0.85, 0.85));
     assert!((low.amplitude(0, true) - 1.5277505972561323741).abs() < 1e-12 && !low.is_stable());
     let multipliers = [0.6822691251387183, 1.2642656414894033];
-    for (found, expected) in low.multipliers.iter().rev().zip(multipliers) {
-        assert!((found.re - expected).abs() < 1e-11 && found.im.abs() < 1e-300, "{found:?}");
+    for (computed, expected) in low.multipliers.iter().rev().zip(multipliers) {
+        assert!((computed.re - expected).abs() < 1e-11 && computed.im.abs() < 1e-300, "{computed:?}");
     }
     assert!(high.is_stable() && (high.amplitude(0, true) - 1.58).abs() < 0.01, "{}", high.amplitude(0, true));
 }
@@ -217,8 +218,9 @@ fn the_shaken_pendulum_swings_from_one_edge_of_its_tongue_to_the_other() {
         response.branches[0].points.iter().filter(|point| !point.is_stable()).collect();
     assert!(at_two.iter().all(|point| (edges[0]..=edges[1]).contains(&point.parameter)));
     let within = over(&shaken, "w", [1.9, 2.0]);
-    let at_ends =
-        |branch: &Branch| [&branch.points[0], branch.points.last().unwrap()].map(|it| it.amplitude(0, true));
+    let at_ends = |branch: &Branch| {
+        [&branch.points[0], branch.points.last().unwrap()].map(|point| point.amplitude(0, true))
+    };
     assert_eq!(at_ends(&within.branches[0]), [0.0, 0.0], "the range has no edge");
     assert_eq!(within.branches.len(), 2);
     let options = ResponseOptions {
@@ -375,7 +377,7 @@ fn changes_of_stability_without_a_special_point_are_listed() {
     let response = Response::over(&equation, "w", [0.5, 2.0], &ResponseOptions::default(), &Quiet).unwrap();
     let mut branch = response.branches[0].clone();
     assert_eq!((branch.special.len(), branch.unexplained_changes().len()), (2, 0));
-    let folds: Vec<f64> = branch.special.drain(..).map(|it| it.point.parameter).collect();
+    let folds: Vec<f64> = branch.special.drain(..).map(|fold| fold.point.parameter).collect();
     let changes = branch.unexplained_changes();
     let is_near = |fold: &f64| changes.iter().any(|[low, high]| (low - 1e-2..high + 1e-2).contains(fold));
     assert!(changes.len() == 2 && folds.iter().all(is_near), "{changes:?} {folds:?}");

@@ -11,7 +11,12 @@ fn over(equation: &str, parameter: &str, range: [f64; 2], options: ResponseOptio
 }
 
 fn specials(branch: &Branch, kind: SpecialKind) -> Vec<f64> {
-    branch.special.iter().filter(|it| it.kind == kind).map(|it| it.point.parameter).collect()
+    branch
+        .special
+        .iter()
+        .filter(|special| special.kind == kind)
+        .map(|special| special.point.parameter)
+        .collect()
 }
 
 #[test]
@@ -58,7 +63,7 @@ fn a_branch_that_turns_back_where_it_crosses_another_one_has_no_fold_there() {
     assert_eq!(response.branches.len(), 2);
     for branch in &response.branches {
         let crossings: Vec<_> =
-            branch.special.iter().filter(|it| it.kind == SpecialKind::SymmetryBreaking).collect();
+            branch.special.iter().filter(|special| special.kind == SpecialKind::SymmetryBreaking).collect();
         assert_eq!((crossings.len(), specials(branch, SpecialKind::Fold)), (1, vec![]));
         let off = (crossings[0].point.parameter - 0.0328535739955020294313792134768).abs();
         assert!(off < 1e-12 && off <= crossings[0].error, "{off:e} {:e}", crossings[0].error);
@@ -74,10 +79,10 @@ fn a_mirror_image_of_some_coordinates_without_a_shift_is_recognised() {
             format!("x'' = -0.1*x' - x + F*cos(t); y'' = -0.2*y' - (0.5 - x^2 - 0.3*x)*y - y^3{force}");
         let response = over(&pair, "F", [0.05, 0.15], ResponseOptions::default());
         let branch = &response.branches[0];
-        let found = specials(branch, SpecialKind::SymmetryBreaking);
+        let values = specials(branch, SpecialKind::SymmetryBreaking);
         assert!(
-            found.len() == lost && found.iter().all(|it| (it - 0.10696352084745486).abs() < 1e-10),
-            "{force}: {found:?} {:?}",
+            values.len() == lost && values.iter().all(|value| (value - 0.10696352084745486).abs() < 1e-10),
+            "{force}: {values:?} {:?}",
             branch.special
         );
         assert_eq!(specials(branch, SpecialKind::BranchPoint), [0.0; 0]);
@@ -112,15 +117,17 @@ fn answers_that_are_found_turns_away_are_on_the_branches_about_the_bottom() {
     let response = Response::over(&pendulum, "A", [0.0, 0.6], &ResponseOptions::default(), &Quiet).unwrap();
     let all = || response.branches.iter().flat_map(|branch| &branch.special);
     // By Fourier collocation and Taylor shooting 0.528969001376244; the branch that returns to it ends there.
-    let lost: Vec<f64> =
-        all().filter(|it| it.kind == SpecialKind::SymmetryBreaking).map(|it| it.point.parameter).collect();
-    assert!(lost.iter().any(|it| (it - 0.528969001376244).abs() < 1e-13), "{lost:?}");
+    let lost: Vec<f64> = all()
+        .filter(|special| special.kind == SpecialKind::SymmetryBreaking)
+        .map(|special| special.point.parameter)
+        .collect();
+    assert!(lost.iter().any(|value| (value - 0.528969001376244).abs() < 1e-13), "{lost:?}");
     assert!(
-        all().all(|it| it.kind != SpecialKind::BranchPoint),
+        all().all(|special| special.kind != SpecialKind::BranchPoint),
         "{:?}",
-        all().map(|it| it.kind).collect::<Vec<_>>()
+        all().map(|special| special.kind).collect::<Vec<_>>()
     );
-    let doublings = all().filter(|it| it.kind == SpecialKind::PeriodDoubling);
+    let doublings = all().filter(|special| special.kind == SpecialKind::PeriodDoubling);
     let mut values: Vec<f64> = doublings.map(|doubling| doubling.point.parameter).collect();
     values.sort_by(f64::total_cmp);
     assert!(values.windows(2).all(|pair| pair[1] - pair[0] > 1e-9), "{values:?}");
@@ -147,13 +154,13 @@ fn a_drive_whose_mirror_image_keeps_a_coordinate_is_recognised() {
         let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };
         let response = Response::over(&pair, "A", [0.0, 0.6], &options, &Quiet).unwrap();
         let of_branch = |branch: &Branch| {
-            let lost = branch.special.iter().filter(|it| it.kind == SpecialKind::SymmetryBreaking);
+            let lost = branch.special.iter().filter(|special| special.kind == SpecialKind::SymmetryBreaking);
             lost.map(|lost| (branch.space, lost.clone())).collect::<Vec<_>>()
         };
         let all: Vec<_> = response.branches.iter().flat_map(of_branch).collect();
         let off = |value: f64| (value - 0.528969001376244).abs();
-        let found = all.iter().find(|(_, it)| off(it.point.parameter) < 1e-13);
-        let (space, lost) = found.unwrap_or_else(|| panic!("{order:?}: {all:?}"));
+        let breaking = all.iter().find(|(_, special)| off(special.point.parameter) < 1e-13);
+        let (space, lost) = breaking.unwrap_or_else(|| panic!("{order:?}: {all:?}"));
         assert!(space.mirrored && off(lost.point.parameter) <= lost.error.max(1e-15));
         let precise = lost.to_digits(&pair, "A", *space, 20, &Quiet).unwrap().unwrap();
         assert!(off(precise.parameter.to_f64()) < 1e-15 && precise.error < 1e-20);

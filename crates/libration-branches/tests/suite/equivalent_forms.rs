@@ -5,7 +5,7 @@ use libration::continuation::{Response, ResponseOptions};
 use libration::progress::Quiet;
 
 /// The special points over a range, in the order of the parameter, and the number of branches.
-fn found(text: &str, [from, to]: [f64; 2]) -> (Vec<(String, f64, f64)>, usize) {
+fn special_points(text: &str, [from, to]: [f64; 2]) -> (Vec<(String, f64, f64)>, usize) {
     let options = ResponseOptions { generations: 1, ..ResponseOptions::default() };
     let response = Response::over(&equation(text), "w", [from, to], &options, &Quiet).unwrap();
     let special = response.branches.iter().flat_map(|branch| &branch.special);
@@ -16,7 +16,7 @@ fn found(text: &str, [from, to]: [f64; 2]) -> (Vec<(String, f64, f64)>, usize) {
 }
 
 fn assert_same(a: &str, b: &str, range: [f64; 2]) {
-    let [(first, branches), (second, others)] = [a, b].map(|text| found(text, range));
+    let [(first, branches), (second, others)] = [a, b].map(|text| special_points(text, range));
     assert_eq!(branches, others, "{a}, {b}");
     assert_eq!(first.len(), second.len(), "{a}: {first:?}; {b}: {second:?}");
     for ((kind, at, error), (other_kind, other, other_error)) in first.into_iter().zip(second) {

@@ -122,8 +122,8 @@ fn a_variable_that_no_way_leads_from_zero_stays_there() {
 fn rates_of_change_are_known_to_events_and_to_other_equations() {
     let maxima = Event { formula: "x'".parse().unwrap(), direction: Direction::Falling, ends_at: None };
     let circle = system("x' = -y; y' = x").with_events(&[maxima]).unwrap();
-    let found = integrate(&circle, &from(&[0.0, 1.0]), &[10.0], &effort(), &Quiet).unwrap().events;
-    let times: Vec<f64> = found.iter().map(|event| event.time).collect();
+    let maxima = integrate(&circle, &from(&[0.0, 1.0]), &[10.0], &effort(), &Quiet).unwrap().events;
+    let times: Vec<f64> = maxima.iter().map(|event| event.time).collect();
     assert_eq!(times.len(), 1, "{times:?}");
     assert!((times[0] - 0.75 * TAU).abs() < 1e-14);
     // x'' = q' + 1 with q = −t²/2: x = t²/2 − t³/6.
@@ -149,12 +149,12 @@ fn sensitivities_are_those_of_the_closed_form() {
 fn a_section_of_the_lorenz_system_is_where_the_motion_crosses() {
     let surface = Section::Crossing { formula: "z - 27".parse().unwrap(), direction: Direction::Rising };
     let points = Points { skipped: 0, recorded: 5 };
-    let found =
+    let section =
         compute_section(&equation(LORENZ), &from(&[1.0, 1.0, 1.0]), &surface, points, &effort(), &Quiet)
             .unwrap();
     let motion = integrate_dense(&system(LORENZ), &from(&[1.0, 1.0, 1.0]), 10.0, &effort()).unwrap();
-    assert_eq!(found.points.len(), 5);
-    for point in &found.points {
+    assert_eq!(section.points.len(), 5);
+    for point in &section.points {
         assert!((point.state[2] - 27.0).abs() < 1e-12);
         let [x, y, z] = point.state[..] else { panic!("three numbers") };
         assert!(x * y - 8.0 / 3.0 * z > 0.0);
@@ -167,11 +167,11 @@ fn a_section_of_the_lorenz_system_is_where_the_motion_crosses() {
 fn a_bifurcation_diagram_follows_the_fixed_points() {
     // From a positive start to √r.
     let family_equation = equation("x' = r*x - x^3");
-    let place = Section::Stroboscope { period: Some(1.0), phase: 0.0 };
+    let section = Section::Stroboscope { period: Some(1.0), phase: 0.0 };
     let family = Family {
         equation: &family_equation,
         parameter: "r",
-        section: &place,
+        section: &section,
         points: Points { skipped: 100, recorded: 2 },
     };
     let columns = compute_bifurcation_diagram(
@@ -197,11 +197,11 @@ fn lyapunov_exponents_of_lorenz_and_roessler_are_the_published_ones() {
     {
         let effort = Effort::to_tolerance(1e-10);
         let schedule = Schedule { transient: 100.0, interval, intervals };
-        let found =
+        let exponent =
             lyapunov_exponent(&equation(text), &from(&[1.0, 1.0, 1.0]), &schedule, &effort, &Quiet).unwrap();
-        assert_eq!(found.verdict, LyapunovVerdict::Chaotic, "{text}");
-        assert!((found.exponent - published).abs() < 4.0 * found.uncertainty + 5e-5, "{found:?}");
-        assert!(found.uncertainty < 0.05 * published);
+        assert_eq!(exponent.verdict, LyapunovVerdict::Chaotic, "{text}");
+        assert!((exponent.exponent - published).abs() < 4.0 * exponent.uncertainty + 5e-5, "{exponent:?}");
+        assert!(exponent.uncertainty < 0.05 * published);
     }
 }
 

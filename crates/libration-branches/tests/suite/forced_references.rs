@@ -172,8 +172,8 @@ fn point_near(equation: &Equation, frequency: f64, state: [f64; 2], drive_period
 }
 
 fn assert_state(point: &BranchPoint, state: [f64; 2], amplitude: f64) {
-    for (found, expected) in point.state.iter().zip(state) {
-        let off = (found - expected).abs();
+    for (computed, expected) in point.state.iter().zip(state) {
+        let off = (computed - expected).abs();
         assert!(off <= 1e-12 && off <= point.error.max(2e-14), "{point:?} for {state:?}: off by {off:e}");
     }
     assert!((point.amplitude(0, true) - amplitude).abs() < 1e-12, "{point:?} for {amplitude}");
@@ -219,14 +219,15 @@ fn assert_special(equation: &Equation, parameter: &str, start: [f64; 2], kind: S
         ..ResponseOptions::default()
     };
     let response = Response::over(equation, parameter, range, &options, &Quiet).unwrap();
-    let special = response.branches.iter().flat_map(|branch| &branch.special).filter(|it| it.kind == kind);
-    let off = |found: f64| (found - expected).abs();
+    let special =
+        response.branches.iter().flat_map(|branch| &branch.special).filter(|special| special.kind == kind);
+    let off = |parameter: f64| (parameter - expected).abs();
     let nearest = special.min_by(|a, b| off(a.point.parameter).total_cmp(&off(b.point.parameter)));
     let nearest = nearest.unwrap_or_else(|| panic!("no {kind} at {expected}"));
-    let found = nearest.point.parameter;
+    let computed = nearest.point.parameter;
     assert!(
-        off(found) <= 1e-12 * expected && off(found) <= nearest.error.max(2e-13 * expected),
-        "{kind} at {found:?} ± {:e} for {expected:?}",
+        off(computed) <= 1e-12 * expected && off(computed) <= nearest.error.max(2e-13 * expected),
+        "{kind} at {computed:?} ± {:e} for {expected:?}",
         nearest.error
     );
 }
@@ -260,7 +261,8 @@ fn further_folds_and_losses_of_symmetry_are_exact() {
         ..ResponseOptions::default()
     };
     let response = Response::over(&relaxed, "w", [0.85, 1.0], &options, &Quiet).unwrap();
-    let folds = response.branches.iter().flat_map(|branch| &branch.special).filter(|it| it.kind == Fold);
+    let folds =
+        response.branches.iter().flat_map(|branch| &branch.special).filter(|special| special.kind == Fold);
     let offs = folds.map(|fold| (fold.point.parameter - 0.9955703586630364856476981).abs());
     assert!(offs.fold(f64::INFINITY, f64::min) < 1e-12);
 }
@@ -270,9 +272,10 @@ fn a_motion_of_two_hundred_harmonics_is_exact() {
     // Pulses: the drive has the harmonics exp(-500)*I_k(500), the response these divided by 1 - k²w² + ikw/2; summed in mpmath to 40 digits.
     let pulses = equation_with("x'' = -x'/2 - x + exp(500*(cos(w*t) - 1))", &[]);
     let point = point_near(&pulses, 0.3, [0.0231, 0.1741], 1);
-    for (found, expected) in point.state.iter().zip([0.02309985491357088725345, 0.1741238350746010008378]) {
-        let off = (found - expected).abs();
-        assert!(off < 1e-13 && off <= point.error, "{found:?} ± {:e} for {expected:?}", point.error);
+    for (computed, expected) in point.state.iter().zip([0.02309985491357088725345, 0.1741238350746010008378])
+    {
+        let off = (computed - expected).abs();
+        assert!(off < 1e-13 && off <= point.error, "{computed:?} ± {:e} for {expected:?}", point.error);
     }
 }
 

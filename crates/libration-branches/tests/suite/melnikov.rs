@@ -21,9 +21,9 @@ const THRESHOLDS: [(&str, &str, f64); 3] = [
 fn the_threshold_of_a_damped_driven_pendulum_is_that_of_the_closed_form() {
     for (c, omega, expected) in THRESHOLDS {
         let equation: Equation = format!("x'' + {c} x' + sin(x) = A cos({omega} t)").parse().unwrap();
-        let found = thresholds(&equation, "A", [0.0, 1.0], &Quiet).unwrap();
-        assert_eq!(found.len(), 2, "one on either separatrix: {found:?}");
-        for threshold in found {
+        let computed = thresholds(&equation, "A", [0.0, 1.0], &Quiet).unwrap();
+        assert_eq!(computed.len(), 2, "one on either separatrix: {computed:?}");
+        for threshold in computed {
             assert!((threshold.value - expected).abs() <= threshold.error.min(2e-15), "{threshold:?}");
             assert!(threshold.above);
         }
@@ -53,11 +53,11 @@ fn residues_agree_with_quadrature_for_any_trigonometric_polynomial() {
             + 0.05 * v * sin(x) * cos(x) * cos(x) * cos(x)
             + 0.01
     };
-    for found in Melnikov::both(&pendulum, &Quiet).unwrap() {
+    for melnikov in Melnikov::both(&pendulum, &Quiet).unwrap() {
         for phase in [0.0, 0.7, 2.0, 4.5] {
-            let expected = by_trapezoids(1.5, found.direction, phase, g);
-            let difference = (found.at_phase(phase) - expected).abs();
-            assert!(difference <= found.error() && found.error() < 1e-13, "{phase}: {difference:e}");
+            let expected = by_trapezoids(1.5, melnikov.direction, phase, g);
+            let difference = (melnikov.at_phase(phase) - expected).abs();
+            assert!(difference <= melnikov.error() && melnikov.error() < 1e-13, "{phase}: {difference:e}");
         }
     }
 }
@@ -68,14 +68,14 @@ fn other_perturbations_are_integrated_by_quadrature_with_their_error() {
     let pendulum = perturbed(text);
     assert!(!pendulum.is_closed());
     let g = |_: f64, v: f64, t: f64| -0.1 * v * v.abs() - 0.02 * tanh(v) + 0.3 * cos(t) / (2.0 + cos(t));
-    for found in Melnikov::both(&pendulum, &Quiet).unwrap() {
+    for melnikov in Melnikov::both(&pendulum, &Quiet).unwrap() {
         for phase in [0.0, 1.0, 3.0] {
-            let expected = by_trapezoids(1.0, found.direction, phase, g);
-            let difference = (found.at_phase(phase) - expected).abs();
+            let expected = by_trapezoids(1.0, melnikov.direction, phase, g);
+            let difference = (melnikov.at_phase(phase) - expected).abs();
             assert!(
-                difference <= found.error() && found.error() < 1e-9,
+                difference <= melnikov.error() && melnikov.error() < 1e-9,
                 "{difference:e} {:e}",
-                found.error()
+                melnikov.error()
             );
         }
     }
@@ -201,9 +201,9 @@ fn a_drive_that_vanishes_without_damping_is_no_threshold() {
 #[test]
 fn a_parameter_may_be_the_frequency_of_the_drive() {
     let equation: Equation = "x'' + 0.1 x' + sin(x) = 0.4 cos(w t)".parse().unwrap();
-    let found = thresholds(&equation, "w", [0.2, 3.0], &Quiet).unwrap();
+    let computed = thresholds(&equation, "w", [0.2, 3.0], &Quiet).unwrap();
     let expected = acosh(0.4 * PI / 0.4) / FRAC_PI_2;
-    assert!(!found[0].above && (found[0].value - expected).abs() < 1e-14, "{found:?} {expected}");
+    assert!(!computed[0].above && (computed[0].value - expected).abs() < 1e-14, "{computed:?} {expected}");
 }
 
 /// dω/dJ by differences of 40 digits. Source: mpmath.
@@ -218,10 +218,10 @@ fn the_frequency_changes_with_the_action_as_elliptic_integrals_tell() {
         (1.5, 1.117_687_137_839_307_1),
         (10.0, 1.001_041_079_719_956),
     ] {
-        let found = pendulum.with_energy_ratio(energy).unwrap().frequency_slope();
+        let computed = pendulum.with_energy_ratio(energy).unwrap().frequency_slope();
         // Near the separatrix the rounding of the energy ratio is amplified up to 1e4 times.
         let tolerance = 4e-16 / (energy - 1.0_f64).abs().min(1.0);
-        assert!((found / expected - 1.0).abs() < tolerance, "{energy}: {found}");
+        assert!((computed / expected - 1.0).abs() < tolerance, "{energy}: {computed}");
     }
     let smallest = pendulum.with_energy_ratio(1e-200).unwrap();
     assert!((smallest.frequency_slope() + 0.125).abs() < 1e-16);
@@ -237,8 +237,8 @@ fn the_angle_variable_grows_evenly() {
         let motion = pendulum.with_energy_ratio(energy).unwrap();
         assert_eq!(motion.angle_variable_at(0.0), 0.0);
         for share in [0.1, 0.25, 0.6, 0.999] {
-            let found = motion.angle_variable_at((share + 3.0) * motion.period());
-            assert!((found / TAU - share).abs() < 1e-14, "{energy} {share}: {found}");
+            let computed = motion.angle_variable_at((share + 3.0) * motion.period());
+            assert!((computed / TAU - share).abs() < 1e-14, "{energy} {share}: {computed}");
         }
         assert!(motion.angle_variable_at(f64::NAN).is_nan());
     }
@@ -259,14 +259,18 @@ fn manifolds_touch_where_they_do_in_more_digits_and_by_the_second_order_from_the
     let excesses = TANGENCIES.map(|(c, omega, expected)| {
         let equation: Equation = format!("x'' + {c} x' + sin(x) = A cos({omega} t)").parse().unwrap();
         let [upper, lower] = thresholds(&equation, "A", [0.0, 2.0], &Quiet).unwrap()[..] else { panic!() };
-        let [found, mirrored] = [upper, lower].map(|it| it.tangency(&equation, "A", &Quiet).unwrap());
-        for it in [found, mirrored] {
-            assert!((it.value - expected).abs() <= it.error && it.error < 1e-12, "{it:?}");
+        let [original, mirrored] =
+            [upper, lower].map(|threshold| threshold.tangency(&equation, "A", &Quiet).unwrap());
+        for tangency in [original, mirrored] {
+            assert!(
+                (tangency.value - expected).abs() <= tangency.error && tangency.error < 1e-12,
+                "{tangency:?}"
+            );
         }
         // The equation is invariant under a reflection of the angle together with a shift by half a period.
-        assert!((found.velocity + mirrored.velocity).abs() < 1e-6, "{mirrored:?}");
-        assert!(((found.phase - mirrored.phase).abs() - PI).abs() < 1e-5, "{mirrored:?}");
-        found.value / upper.value - 1.0
+        assert!((original.velocity + mirrored.velocity).abs() < 1e-6, "{mirrored:?}");
+        assert!(((original.phase - mirrored.phase).abs() - PI).abs() < 1e-5, "{mirrored:?}");
+        original.value / upper.value - 1.0
     });
     let ratio = excesses[0] / excesses[2];
     assert!((ratio - 4.0).abs() < 0.1, "of half the strength a quarter: {ratio}");
@@ -282,8 +286,8 @@ fn tangencies_of_uneven_and_parametric_drives_are_those_of_another_program() {
     for (text, expected) in cases {
         let equation: Equation = text.parse().unwrap();
         let upper = thresholds(&equation, "A", [0.0, 1.0], &Quiet).unwrap()[0];
-        let found = upper.tangency(&equation, "A", &Quiet).unwrap();
-        assert!((found.value - expected).abs() < 5e-11 && found.error < 1e-12, "{found:?}");
+        let tangency = upper.tangency(&equation, "A", &Quiet).unwrap();
+        assert!((tangency.value - expected).abs() < 5e-11 && tangency.error < 1e-12, "{tangency:?}");
     }
 }
 

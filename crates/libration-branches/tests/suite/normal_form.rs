@@ -56,8 +56,9 @@ fn modes_without_resonance_have_the_shifts_of_lindstedts_expansion() {
     let form = form(DOUBLE_PENDULUM, &[0.0, 0.0], 3);
     let modes = NormalModes::new(&equation).unwrap().modes;
     for (number, mode) in modes.iter().enumerate() {
-        let own = |term: &&libration::normal_form::SlowTerm| term.mode == number && term.powers[number] == 2;
-        let term = form.slow_terms.iter().find(own).unwrap();
+        let shift =
+            |term: &&libration::normal_form::SlowTerm| term.mode == number && term.powers[number] == 2;
+        let term = form.slow_terms.iter().find(shift).unwrap();
         let expected = mode.shift.as_ref().unwrap().coefficient;
         assert!((term.coefficient.im / expected - 1.0).abs() < 1e-12 && term.exact.is_some(), "{term:?}");
         assert!(term.coefficient.re == 0.0);
@@ -162,8 +163,8 @@ fn the_slow_flow_is_also_an_equation() {
     let values = [("u1", 0.1), ("w1", 0.2), ("u2", -0.3), ("w2", 0.05)];
     for (formula, expected) in flow.derivatives().iter().zip(rates.iter().flat_map(|rate| [rate.re, rate.im]))
     {
-        let put_in = values.iter().fold(formula.clone(), |it, (name, value)| {
-            it.substitute(
+        let put_in = values.iter().fold(formula.clone(), |partial, (name, value)| {
+            partial.substitute(
                 &libration::expression::Symbol::plain(name),
                 &format!("({value:?})").parse().unwrap(),
             )
@@ -197,8 +198,8 @@ fn an_exchange_is_found_where_the_order_has_it() {
     // SciPy's DOP853 at 1e-12 with the fifth-order terms: 2850 s, with |a1| from 0.0972 to 0.1033 and |a2| from 0.0525 to 0.0631.
     assert!((fifth.period / 2850.0 - 1.0).abs() < 0.01 && fifth.error < 1e-3, "{fifth:?}");
     let expected = [[0.0972, 0.1033], [0.0525, 0.0631]];
-    for (found, expected) in fifth.amplitudes.as_flattened().iter().zip(expected.as_flattened()) {
-        assert!((found - expected).abs() < 2e-4, "{fifth:?}");
+    for (computed, expected) in fifth.amplitudes.as_flattened().iter().zip(expected.as_flattened()) {
+        assert!((computed - expected).abs() < 2e-4, "{fifth:?}");
     }
 }
 

@@ -75,16 +75,19 @@ fn assert_meets_orbits(text: &str, mode: &Mode, number: usize) {
         (orbit.frequency() - mode.frequency()) / (first * first)
     };
     let (coarse, fine) = (slope(0.02), slope(0.01));
-    let found = (4.0 * fine - coarse) / 3.0;
-    assert!((found - shift).abs() < 2e-5 * shift.abs().max(1.0), "mode {number}: {found} is not {shift}");
+    let computed = (4.0 * fine - coarse) / 3.0;
+    assert!(
+        (computed - shift).abs() < 2e-5 * shift.abs().max(1.0),
+        "mode {number}: {computed} is not {shift}"
+    );
 }
 
 fn nonlinear_mode(text: &str, mode: &Mode, amplitude: f64) -> Orbit {
     let equation = equation(text);
     let n = mode.shape.len();
     let mut state = vec![0.0; 2 * n];
-    for (place, part) in state.iter_mut().zip(&mode.shape) {
-        *place = amplitude * part.re;
+    for (coordinate, part) in state.iter_mut().zip(&mode.shape) {
+        *coordinate = amplitude * part.re;
     }
     let guess = OrbitGuess { state, period: TAU / mode.frequency() };
     Orbit::near(&equation, &guess, &[mode.leading(), n + mode.leading()], &Quiet).unwrap()
@@ -146,26 +149,26 @@ fn away_from_resonance_the_swings_of_the_spring_pendulum_have_their_shift() {
 #[test]
 fn resonances_that_nothing_drives_do_no_harm() {
     // Odd forces have no second harmonic.
-    let found = modes("x'' = -x - x*y^2; y'' = -4*y - x^2*y");
-    assert!(found[0].resonances[0].exact && found[0].shift.as_ref().unwrap().coefficient == 0.0);
+    let pair = modes("x'' = -x - x*y^2; y'' = -4*y - x^2*y");
+    assert!(pair[0].resonances[0].exact && pair[0].shift.as_ref().unwrap().coefficient == 0.0);
     // x³ drives y at its own frequency.
-    let found = modes("x'' = -x - x^3; y'' = -9*y - x^3");
-    assert_eq!(found[0].shift, Err(ShiftError::Resonance(3)));
+    let pair = modes("x'' = -x - x^3; y'' = -9*y - x^3");
+    assert_eq!(pair[0].shift, Err(ShiftError::Resonance(3)));
     // Near the resonance it does not do so, but the resonance is reported.
-    let found = modes("x'' = -x - x^3; y'' = -9.1*y - x^3");
-    let resonance = found[0].resonances[0];
+    let pair = modes("x'' = -x - x^3; y'' = -9.1*y - x^3");
+    let resonance = pair[0].resonances[0];
     assert!(!resonance.exact && (resonance.detuning - ((9.1_f64).sqrt() / 3.0 - 1.0)).abs() < 1e-15);
-    assert_eq!(found[0].shift.as_ref().unwrap().relative.as_ref().unwrap().to_string(), "3/8");
+    assert_eq!(pair[0].shift.as_ref().unwrap().relative.as_ref().unwrap().to_string(), "3/8");
 }
 
 #[test]
 fn modes_of_one_frequency_are_given_together() {
-    let found = modes("x'' = -sin(x); y'' = -sin(y)");
-    assert_eq!(found.len(), 2);
-    for mode in &found {
+    let modes = modes("x'' = -sin(x); y'' = -sin(y)");
+    assert_eq!(modes.len(), 2);
+    for mode in &modes {
         assert_eq!((mode.multiplicity, &mode.shift), (2, &Err(ShiftError::Degenerate)));
     }
-    assert!(found[0].shape != found[1].shape);
+    assert!(modes[0].shape != modes[1].shape);
 }
 
 #[test]
@@ -206,8 +209,8 @@ fn exponents_with_fewer_shapes_than_their_multiplicity_have_powers_of_time() {
 #[test]
 fn a_pendulum_in_a_turning_frame_moves_in_circles() {
     let turning = "x'' = -2*x + 2*y'; y'' = -2*y - 2*x'";
-    let found = modes(turning);
-    for (mode, sign) in found.iter().zip([-1.0, 1.0]) {
+    let modes = modes(turning);
+    for (mode, sign) in modes.iter().zip([-1.0, 1.0]) {
         assert!((mode.frequency() - (3.0_f64.sqrt() + sign)).abs() < 1e-14);
         assert!(
             (mode.shape[1].im - sign).abs() < 1e-14 && mode.shape[1].re.abs() < 1e-14,
@@ -216,14 +219,14 @@ fn a_pendulum_in_a_turning_frame_moves_in_circles() {
         );
         assert_eq!(mode.behaviour, Behaviour::Oscillating);
     }
-    assert_eq!(found[0].frequency_squared.as_ref().unwrap().to_string(), "4 - 2*sqrt(3)");
+    assert_eq!(modes[0].frequency_squared.as_ref().unwrap().to_string(), "4 - 2*sqrt(3)");
 }
 
 /// Circles of radius a in x″ = −(1 + βr²)x + 2Ωy′ turn with s² + 2Ωs = 1 + βa².
 #[test]
 fn shifts_of_gyroscopic_modes_are_those_of_circles() {
-    let found = modes("x'' = -x*(1 + (x^2 + y^2)/3) + y'; y'' = -y*(1 + (x^2 + y^2)/3) - x'");
-    for (mode, sign) in found.iter().zip([1.0, -1.0]) {
+    let modes = modes("x'' = -x*(1 + (x^2 + y^2)/3) + y'; y'' = -y*(1 + (x^2 + y^2)/3) - x'");
+    for (mode, sign) in modes.iter().zip([1.0, -1.0]) {
         // κ from d(s² + sign·s)/ds·κ = β.
         let shift = 1.0 / 3.0 / (2.0 * mode.frequency() + sign);
         assert!((mode.shift.as_ref().unwrap().coefficient - shift).abs() < 1e-13);
@@ -239,9 +242,9 @@ fn damping_that_grows_with_the_amplitude_is_no_frequency() {
 #[test]
 fn equilibria_are_found_from_a_guess() {
     let wells = equation("x'' = x - x^3 + y; y'' = -y*x");
-    let found = NormalModes::about(&wells, &[0.9, 0.1], &Quiet).unwrap();
-    assert_eq!(found.exact_equilibrium.unwrap(), [1, 0].map(libration::algebra::Rational::from));
-    assert_eq!(found.modes[0].frequency_squared.as_ref().unwrap().to_string(), "1");
+    let near_well = NormalModes::about(&wells, &[0.9, 0.1], &Quiet).unwrap();
+    assert_eq!(near_well.exact_equilibrium.unwrap(), [1, 0].map(libration::algebra::Rational::from));
+    assert_eq!(near_well.modes[0].frequency_squared.as_ref().unwrap().to_string(), "1");
     let hoop = NormalModes::about(&equation("x'' = -sin(x) + 2*sin(x)*cos(x)"), &[1.0], &Quiet).unwrap();
     assert!((hoop.equilibrium[0] - PI / 3.0).abs() < 1e-15);
     // ω² = 2 sin²(π/3), and both forces are smooth at the equilibrium.
@@ -269,7 +272,7 @@ fn what_has_no_modes_is_refused_for_a_reason() {
     ] {
         let refused = refusal(text, &[0.3 * f64::from(u8::from(end == SearchEnd::Unsettled))]);
         assert!(
-            matches!(refused, ModesError::NoEquilibrium { end: found, .. } if found == end),
+            matches!(refused, ModesError::NoEquilibrium { end: reached, .. } if reached == end),
             "{text}: {refused}"
         );
     }
@@ -299,7 +302,7 @@ fn chains_of_many_masses_have_all_their_modes() {
             let half_angle = std::f64::consts::FRAC_PI_2 * f64::from(k) / f64::from(n + 1);
             let expected = 2.0 * libm::sin(half_angle);
             assert!((mode.exponent.im - expected).abs() < 2e-14, "{n}, {k}: {} {expected}", mode.exponent.im);
-            let part = |place: usize| mode.shape[place].re;
+            let part = |mass: usize| mode.shape[mass].re;
             let ratio = part(1) / part(0);
             assert!((ratio - 2.0 * libm::cos(2.0 * half_angle)).abs() < 1e-10, "{n}, {k}: {ratio}");
         }
@@ -313,18 +316,18 @@ fn chains_in_a_magnetic_field_have_all_their_modes() {
     let chain = format!(
         "x[i]'' = x[i+1] - 2*x[i] + x[i-1] + y[i]', i = 1..{n}; y[i]'' = y[i+1] - 2*y[i] + y[i-1] - x[i]', i = 1..{n}"
     );
-    let mut found: Vec<f64> = modes(&chain).iter().map(|mode| mode.exponent.im).collect();
+    let mut frequencies: Vec<f64> = modes(&chain).iter().map(|mode| mode.exponent.im).collect();
     let mut expected: Vec<f64> = (1..=n)
         .flat_map(|k| {
-            let own = 2.0 * libm::sin(std::f64::consts::FRAC_PI_2 * f64::from(k) / f64::from(n + 1));
-            [-0.5, 0.5].map(|half| (own * own + 0.25).sqrt() + half)
+            let free = 2.0 * libm::sin(std::f64::consts::FRAC_PI_2 * f64::from(k) / f64::from(n + 1));
+            [-0.5, 0.5].map(|half| (free * free + 0.25).sqrt() + half)
         })
         .collect();
-    found.sort_by(f64::total_cmp);
+    frequencies.sort_by(f64::total_cmp);
     expected.sort_by(f64::total_cmp);
-    assert_eq!(found.len(), expected.len());
-    for (found, expected) in found.iter().zip(&expected) {
-        assert!((found - expected).abs() < 1e-12, "{found} {expected}");
+    assert_eq!(frequencies.len(), expected.len());
+    for (computed, expected) in frequencies.iter().zip(&expected) {
+        assert!((computed - expected).abs() < 1e-12, "{computed} {expected}");
     }
 }
 
@@ -338,11 +341,11 @@ fn a_resonance_that_is_forced_across_the_other_mode_does_no_harm() {
         ("x'' = -x - x^2; y'' = -4*y - x*y - y^2/2", -5.0 / 12.0),
         ("x'' = -1.1*x - x^3; y'' = -9.9*y", 0.375 / 1.1_f64.sqrt()),
     ] {
-        let found = modes(equations);
+        let modes = modes(equations);
         assert!(
-            (found[0].shift.as_ref().unwrap().coefficient - shift).abs() < 1e-14,
+            (modes[0].shift.as_ref().unwrap().coefficient - shift).abs() < 1e-14,
             "{equations}: {:?}",
-            found[0].shift
+            modes[0].shift
         );
     }
     // Here y is driven by x² at its own frequency, and there a motion of y at twice the frequency changes that of x.
@@ -408,14 +411,15 @@ fn exponents_of_one_coordinate_have_all_digits() {
     let exponents = |text: &str| modes(text).iter().map(|mode| mode.exponent).collect::<Vec<_>>();
     let critical = exponents("x'' = -(1 - 1e-14)*x - 2*x'");
     for expected in [-1.000_000_1, -0.999_999_9] {
-        let found = critical.iter().any(|it| (it.re - expected).abs() < 4e-16 && it.im == 0.0);
-        assert!(found, "{critical:?}");
+        let is_there =
+            critical.iter().any(|exponent| (exponent.re - expected).abs() < 4e-16 && exponent.im == 0.0);
+        assert!(is_there, "{critical:?}");
     }
     assert_eq!(exponents("x'' = -x - 2*x'").len(), 1);
     let weak = exponents("x'' = -x - 2e-25*x'");
     assert_eq!((weak[0].re, weak[0].im), (-1e-25, 1.0));
     let stiff = exponents("x'' = -x - 1e9*x'");
-    assert!(stiff.iter().any(|it| (it.re + 1e-9).abs() < 1e-24), "{stiff:?}");
+    assert!(stiff.iter().any(|exponent| (exponent.re + 1e-9).abs() < 1e-24), "{stiff:?}");
 }
 
 /// Reference: eigenvalues with 40 digits by mpmath.

@@ -13,7 +13,7 @@ fn sought(equation: &str, range: [f64; 2], orders: &[&str]) -> Result<Response, 
 }
 
 fn folds(branch: &Branch) -> Vec<f64> {
-    let folds = branch.special.iter().filter(|it| it.kind == SpecialKind::Fold);
+    let folds = branch.special.iter().filter(|special| special.kind == SpecialKind::Fold);
     folds.map(|fold| fold.point.parameter).collect()
 }
 

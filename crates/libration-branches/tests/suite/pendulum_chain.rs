@@ -32,8 +32,8 @@ fn its_modes_are_those_of_a_chain_with_free_ends() {
             assert!((mode.frequency() - sqrt(squared)).abs() < 1e-13, "{n} {k}: {}", mode.frequency());
             let exact: Vec<f64> = (0..n).map(|i| cos(phase * (f64::from(i) + 0.5))).collect();
             let scale = mode.shape[0].re / exact[0];
-            for (found, exact) in mode.shape.iter().zip(&exact) {
-                assert!((found.re - scale * exact).abs() < 1e-11, "{n} {k}: {:?}", mode.shape);
+            for (computed, exact) in mode.shape.iter().zip(&exact) {
+                assert!((computed.re - scale * exact).abs() < 1e-11, "{n} {k}: {:?}", mode.shape);
             }
         }
     }

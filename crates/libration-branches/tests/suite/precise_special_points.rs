@@ -31,8 +31,9 @@ fn assert_digits(case: &Case<'_>) {
         .branches
         .iter()
         .flat_map(|branch| branch.special.iter().map(move |special| (branch.space, special)));
-    let found = specials.find(|(_, it)| it.kind == case.kind && (it.point.parameter - near).abs() < 1e-11);
-    let (space, special) = found.unwrap_or_else(|| panic!("no {} at {}", case.kind, case.expected));
+    let nearest = specials
+        .find(|(_, special)| special.kind == case.kind && (special.point.parameter - near).abs() < 1e-11);
+    let (space, special) = nearest.unwrap_or_else(|| panic!("no {} at {}", case.kind, case.expected));
     let precise = special.to_digits(&equation, case.parameter, space, 25, &Quiet).unwrap().unwrap();
     let digits = precise.parameter.to_rational().to_decimal(26);
     let (all_but_last, _) = case.expected.split_at(case.expected.len() - 1);
@@ -198,7 +199,7 @@ fn what_has_no_digits_has_none() {
     let response = Response::over(&equation, "w", [1.1, 1.3], &once(), &Quiet).unwrap();
     let special =
         response.branches.iter().flat_map(|branch| branch.special.iter().map(move |one| (branch.space, one)));
-    let saddles: Vec<_> = special.filter(|(_, it)| it.kind == SpecialKind::NeutralSaddle).collect();
+    let saddles: Vec<_> = special.filter(|(_, special)| special.kind == SpecialKind::NeutralSaddle).collect();
     assert!(!saddles.is_empty());
     for (space, saddle) in saddles {
         assert_eq!(saddle.to_digits(&equation, "w", space, 25, &Quiet), Ok(None));

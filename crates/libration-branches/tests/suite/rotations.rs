@@ -51,9 +51,10 @@ fn rotating_answers_and_their_special_points_are_those_of_taylor_shooting() {
     let mut kinds = vec![];
     for row in table.rows() {
         let pendulum = equation_with(PENDULUM, &[("c", row.text("c")), ("A", row.text("A"))]);
-        let [turns, periods] = ["turns", "drive_periods"].map(|it| row.text(it).parse::<i32>().unwrap());
+        let [turns, periods] =
+            ["turns", "drive_periods"].map(|column| row.text(column).parse::<i32>().unwrap());
         let [w, theta, velocity, trace] =
-            ["w", "theta", "velocity", "trace"].map(|it| row.text(it).parse::<f64>().unwrap());
+            ["w", "theta", "velocity", "trace"].map(|column| row.text(column).parse::<f64>().unwrap());
         let is_near = |point: &BranchPoint| {
             let states = apart(point.state[0], theta).max((point.state[1] - velocity).abs());
             let sum: f64 = point.multipliers.iter().map(|multiplier| multiplier.re).sum();
@@ -68,19 +69,20 @@ fn rotating_answers_and_their_special_points_are_those_of_taylor_shooting() {
                 .branches
                 .iter()
                 .flat_map(|branch| branch.special.iter().map(|one| (branch.space, one)));
-            all.filter(|(_, it)| it.kind == kind).find(|(_, it)| is_near(&it.point))
+            all.filter(|(_, candidate)| candidate.kind == kind)
+                .find(|(_, candidate)| is_near(&candidate.point))
         };
-        let precise = |(space, it): (_, &SpecialPoint)| {
-            let found = it.to_digits(&pendulum, "w", space, 28, &Quiet).unwrap().expect("28 digits");
-            found.parameter.to_rational().to_decimal(26)
+        let precise = |(space, special): (_, &SpecialPoint)| {
+            let digits = special.to_digits(&pendulum, "w", space, 28, &Quiet).unwrap().expect("28 digits");
+            digits.parameter.to_rational().to_decimal(26)
         };
         let kind = row.text("kind");
         match kind {
             "answer" => assert!({ points }.any(is_near), "{w}"),
             "fold" | "period_doubling" => {
                 let kind = if kind == "fold" { SpecialKind::Fold } else { SpecialKind::PeriodDoubling };
-                let found = precise(special(kind).unwrap_or_else(|| panic!("{w}")));
-                assert!(row.text("w").starts_with(&found[..27]), "{found} for {}", row.text("w"));
+                let digits = precise(special(kind).unwrap_or_else(|| panic!("{w}")));
+                assert!(row.text("w").starts_with(&digits[..27]), "{digits} for {}", row.text("w"));
             }
             other => panic!("{other}"),
         }
@@ -171,7 +173,7 @@ fn sweeps_tell_doubled_chaotic_and_rotating_motions() {
     let (_, sweeps) = swept(&pendulum, ("A", [1.35, 1.37]), 3, &turning(1, 1));
     for point in sweeps.iter().flat_map(|sweep| &sweep.points) {
         assert_eq!(point.rotation, Some(Rotation { coordinate: 0, turns: 1 }), "{point:?}");
-        assert!(point.amplitude(0, true).is_some_and(|it| it < TAU));
+        assert!(point.amplitude(0, true).is_some_and(|amplitude| amplitude < TAU));
     }
     assert!(!sweeps.is_empty());
 }

@@ -15,7 +15,12 @@ fn over(equation: &str, parameter: &str, range: [f64; 2], options: &ResponseOpti
 }
 
 fn special(branch: &Branch, kind: SpecialKind) -> Vec<f64> {
-    branch.special.iter().filter(|it| it.kind == kind).map(|it| it.point.parameter).collect()
+    branch
+        .special
+        .iter()
+        .filter(|special| special.kind == kind)
+        .map(|special| special.point.parameter)
+        .collect()
 }
 
 #[test]
@@ -34,8 +39,11 @@ fn van_der_pols_cycle_has_its_period_from_weak_to_strong_excitation() {
     for point in &branch.points {
         // All cycles of van der Pol's equation attract: its divergence has a negative mean over them (Liénard).
         assert_eq!(point.stability, Stability::Attracting, "{point:?}");
-        let own: Vec<f64> = point.multipliers.iter().map(|multiplier| multiplier.re).collect();
-        assert!(own[0].to_bits() == 1.0_f64.to_bits() && (0.0..1e-3).contains(&own[1].abs()), "{own:?}");
+        let multipliers: Vec<f64> = point.multipliers.iter().map(|multiplier| multiplier.re).collect();
+        assert!(
+            multipliers[0].to_bits() == 1.0_f64.to_bits() && (0.0..1e-3).contains(&multipliers[1].abs()),
+            "{multipliers:?}"
+        );
     }
 }
 
@@ -54,9 +62,9 @@ fn cycles_that_are_circles_have_their_radius_multiplier_fold_and_beginning() {
         let r2 = radius * radius;
         assert!((m + r2 - r2 * r2).abs() < 1e-12 && (point.period - TAU).abs() < 1e-11, "{point:?}");
         let multiplier = libm::exp(TAU * (m + 3.0 * r2 - 5.0 * r2 * r2));
-        let found =
+        let other =
             point.multipliers.iter().find(|multiplier| multiplier.re.to_bits() != 1.0_f64.to_bits()).unwrap();
-        assert!((found.re - multiplier).abs() < 1e-10 * multiplier.max(1.0), "{point:?} {multiplier}");
+        assert!((other.re - multiplier).abs() < 1e-10 * multiplier.max(1.0), "{point:?} {multiplier}");
         let stability = if r2 > 0.5 { Stability::Attracting } else { Stability::Unstable };
         assert_eq!(point.stability, stability, "{point:?}");
     }
@@ -84,11 +92,11 @@ fn a_cycle_between_two_hopf_points_is_found_from_a_value_within_the_range() {
     // The trace 1 − v² − 0.4 vanishes there.
     let v = 0.6_f64.sqrt();
     let expected = [-v, v].map(|v| (v + 0.7) / 0.8 - (v - v * v * v / 3.0));
-    let mut found = special(branch, SpecialKind::Hopf);
-    found.sort_by(f64::total_cmp);
+    let mut values = special(branch, SpecialKind::Hopf);
+    values.sort_by(f64::total_cmp);
     assert!(
-        found.len() == 2 && found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-14),
-        "{found:?} {expected:?}"
+        values.len() == 2 && values.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-14),
+        "{values:?} {expected:?}"
     );
     assert_eq!([branch.beginning, branch.ending], [Ending::Rest; 2]);
     let ends = [&branch.points[0], branch.points.last().unwrap()];
@@ -112,11 +120,15 @@ fn roesslers_cycle_doubles_its_period_and_doubles_it_again() {
         (&response.branches[0], 2.83244502786254, 5.769820016506563),
         (doubled, 3.83735816841005, 11.572688804465812),
     ] {
-        let found: Vec<_> =
-            branch.special.iter().filter(|it| it.kind == SpecialKind::PeriodDoubling).collect();
-        assert_eq!(found.len(), 1);
-        assert!((found[0].point.parameter - expected).abs() < 1e-11, "{:?}", found[0].point.parameter);
-        assert!((found[0].point.period - period).abs() < 1e-10, "{:?}", found[0].point.period);
+        let doublings: Vec<_> =
+            branch.special.iter().filter(|special| special.kind == SpecialKind::PeriodDoubling).collect();
+        assert_eq!(doublings.len(), 1);
+        assert!(
+            (doublings[0].point.parameter - expected).abs() < 1e-11,
+            "{:?}",
+            doublings[0].point.parameter
+        );
+        assert!((doublings[0].point.period - period).abs() < 1e-10, "{:?}", doublings[0].point.period);
     }
     // The period of a doubled cycle is twice that of its primary cycle at the bifurcation.
     assert!((doubled.points[0].period - 2.0 * 5.769820016506563).abs() < 1e-10);
@@ -188,10 +200,14 @@ fn canards_are_followed_to_the_hopf_points_on_both_sides() {
         let [branch] = &response.branches[..] else { panic!("{} branches", response.branches.len()) };
         assert_eq!([branch.beginning, branch.ending], [Ending::Rest; 2], "from {at}");
         let of_kind = |kind: SpecialKind| {
-            let mut found: Vec<f64> =
-                branch.special.iter().filter(|it| it.kind == kind).map(|it| it.point.parameter).collect();
-            found.sort_by(f64::total_cmp);
-            found
+            let mut values: Vec<f64> = branch
+                .special
+                .iter()
+                .filter(|special| special.kind == kind)
+                .map(|special| special.point.parameter)
+                .collect();
+            values.sort_by(f64::total_cmp);
+            values
         };
         let (hopf, folds) = (of_kind(SpecialKind::Hopf), of_kind(SpecialKind::Fold));
         assert!(
@@ -231,7 +247,7 @@ fn cycles_of_many_turns_double_their_period_and_are_followed() {
     let (pair, quadruple): (Vec<&Branch>, Vec<&Branch>) = (of_turns(6), of_turns(12));
     let ([pair], [quadruple]) = (&pair[..], &quadruple[..]) else { panic!("{response:?}") };
     // By Newton's method for closing Taylor series of order 34 in 113 bits, and the zero of det(M + 1).
-    let [first, second] = [pair, quadruple].map(|it| special(it, SpecialKind::PeriodDoubling));
+    let [first, second] = [pair, quadruple].map(|branch| special(branch, SpecialKind::PeriodDoubling));
     assert!(first.len() == 1 && (first[0] - 147.150_294_744_076_954).abs() < 1e-11, "{first:?}");
     assert!(second.len() == 1 && (second[0] - 146.872_795_524_061_250).abs() < 1e-11, "{second:?}");
     assert!(pair.ending == Ending::RangeEnd && quadruple.ending == Ending::Sensitive);
@@ -254,7 +270,11 @@ fn cycles_with_one_period_are_distinguished_by_their_ranges() {
         "{radii:?}"
     );
     assert!(
-        response.branches.iter().flat_map(|branch| &branch.points).all(|it| (it.period - TAU).abs() < 1e-11)
+        response
+            .branches
+            .iter()
+            .flat_map(|branch| &branch.points)
+            .all(|point| (point.period - TAU).abs() < 1e-11)
     );
 }
 
@@ -297,14 +317,19 @@ fn a_cycle_that_becomes_a_homoclinic_orbit_ends_there() {
     let followed = branch.points.iter().filter(|point| point.period < 25.0);
     for point in followed.filter(|point| point.period > 6.5).step_by(7) {
         let expected = libm::exp(logarithm_of_multiplier(point.parameter, &point.state, point.period));
-        let off = |(it, error): (&Complex, &f64)| (*it - Complex::from(expected)).abs() - error;
+        let off =
+            |(multiplier, error): (&Complex, &f64)| (*multiplier - Complex::from(expected)).abs() - error;
         let off = point.multipliers.iter().zip(&point.multiplier_errors).map(off).fold(1.0, f64::min);
         assert!(off <= 0.0, "{point:?} {expected:e}");
     }
     let beyond = branch.points.iter().filter(|point| point.period > 25.0);
-    for (own, error) in beyond.flat_map(|point| point.multipliers.iter().zip(&point.multiplier_errors)) {
+    for (multiplier, error) in beyond.flat_map(|point| point.multipliers.iter().zip(&point.multiplier_errors))
+    {
         // The other multiplier is below 2e-6 there, and the return map a difference of much larger numbers.
-        assert!((own.re - 1.0).abs() < 1e-12 || own.abs() < error + 2e-6, "{own:?} {error:e}");
+        assert!(
+            (multiplier.re - 1.0).abs() < 1e-12 || multiplier.abs() < error + 2e-6,
+            "{multiplier:?} {error:e}"
+        );
     }
 }
 
@@ -326,10 +351,10 @@ fn both_folds_next_to_canards_are_listed() {
                 let is_it = |point: &&SpecialPoint| {
                     point.kind == kind && (point.point.parameter - expected).abs() < 1e-12 + point.error
                 };
-                let found = points().find(is_it);
+                let special = points().find(is_it);
                 assert!(
-                    found.is_some_and(|found| found.error < 1e-12),
-                    "{part} {kind:?} {expected}: {found:?}"
+                    special.is_some_and(|special| special.error < 1e-12),
+                    "{part} {kind:?} {expected}: {special:?}"
                 );
             }
         }

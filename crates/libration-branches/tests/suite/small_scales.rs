@@ -31,17 +31,20 @@ fn a_response_has_the_same_folds_in_all_units() {
         ("x'' = -1e5*x' - 1e12*x - 1e30*x^3 + 3e2*cos(w*t)", [5e5, 2e6], 1e6),
         ("x'' = -0.1*x' - x - 1e-24*x^3 + 3e11*cos(w*t)", [0.5, 2.0], 1.0),
     ] {
-        let found = special(equation, "w", range, None);
-        assert_eq!(found.len(), 2, "{equation}: {found:?}");
-        for ((kind, own), (of_usual, other)) in found.iter().zip(&usual) {
-            assert!(kind == of_usual && (own / (unit * other) - 1.0).abs() < 1e-12, "{equation}: {found:?}");
+        let folds = special(equation, "w", range, None);
+        assert_eq!(folds.len(), 2, "{equation}: {folds:?}");
+        for ((kind, parameter), (of_usual, other)) in folds.iter().zip(&usual) {
+            assert!(
+                kind == of_usual && (parameter / (unit * other) - 1.0).abs() < 1e-12,
+                "{equation}: {folds:?}"
+            );
         }
     }
     let drives = special("x'' = -0.1*x' - x - 1e24*x^3 + A*1e-12*cos(1.5*t)", "A", [0.1, 1.0], None);
     let usual = special("x'' = -0.1*x' - x - x^3 + A*cos(1.5*t)", "A", [0.1, 1.0], None);
     assert_eq!(drives.len(), usual.len(), "{drives:?}");
     assert!(
-        drives.iter().zip(&usual).all(|(own, other)| (own.1 / other.1 - 1.0).abs() < 1e-12),
+        drives.iter().zip(&usual).all(|(drive, other)| (drive.1 / other.1 - 1.0).abs() < 1e-12),
         "{drives:?}"
     );
 }
@@ -119,7 +122,7 @@ fn free_oscillations_are_released_in_the_units_of_the_drive() {
         let response = Response::over(&equation, "w", [2.5, 6.0], &options, &Quiet).unwrap();
         let isola = response.branches.iter().find(|branch| branch.ending == Ending::Closed).unwrap();
         for expected in [5.294354133015056, 3.648857400987054] {
-            let mut folds = isola.special.iter().map(|it| it.point.parameter);
+            let mut folds = isola.special.iter().map(|fold| fold.point.parameter);
             assert!(folds.any(|w| (w - expected).abs() < 1e-12), "{drive}");
         }
     }
@@ -155,7 +158,7 @@ fn hopf_points_are_found_in_all_units() {
 /// Stable motions at the lower end of the range are distinguished, whatever the unit of time, and the boundaries are those without a rest.
 #[test]
 fn units_of_time_do_not_matter() {
-    let found = |unit: f64| {
+    let in_units = |unit: f64| {
         let (damping, square) = (0.1 / unit, 1.0 / (unit * unit));
         let force = format!("x'' = -{damping:e}*x' - {square:e}*(x + x^3)");
         let driven = format!("{force} + {:e}*cos(w*t)", 0.3 * square).parse().unwrap();
@@ -169,10 +172,10 @@ fn units_of_time_do_not_matter() {
         let kinds: Vec<SpecialKind> = chart.curves.iter().map(|curve| curve.kind).collect();
         (ends, kinds)
     };
-    let (ends, kinds) = found(1.0);
+    let (ends, kinds) = in_units(1.0);
     assert_eq!(kinds, [SpecialKind::Fold; 2]);
     for unit in [1e-9, 1e9] {
-        let (own_ends, own_kinds) = found(unit);
+        let (own_ends, own_kinds) = in_units(unit);
         assert_eq!((own_ends.len(), &own_kinds), (ends.len(), &kinds), "{unit}");
         assert!(
             own_ends.iter().zip(&ends).all(|(a, b)| (a / b - 1.0).abs() < 1e-10),
@@ -313,8 +316,8 @@ fn an_angle_keeps_its_unit_next_to_a_coordinate_of_another_unit() {
         let ends = [&other, &usual].map(|branch| branch.points.last().unwrap());
         assert_eq!(ends[0].parameter, ends[1].parameter);
         for (component, unit) in [(0, 1.0), (1, factor), (2, 1.0), (3, factor)] {
-            let [own, same] = ends.map(|point| point.state[component]);
-            assert!((own / unit - same).abs() < 1e-11, "{factor:e}: {own:e} {same}");
+            let [scaled, same] = ends.map(|point| point.state[component]);
+            assert!((scaled / unit - same).abs() < 1e-11, "{factor:e}: {scaled:e} {same}");
         }
     }
 }

@@ -19,8 +19,9 @@ const REST_ALONE: ChartOptions =
 /// Asserts the second parameter of the point on curves of this kind that is at a value of the first parameter and nearest to the expected point.
 fn assert_at(chart: &StabilityChart, kind: SpecialKind, at_rest: bool, [first, second]: [f64; 2]) {
     let curves = chart.curves.iter().filter(|curve| curve.kind == kind && curve.at_rest == at_rest);
-    let points =
-        curves.flat_map(|curve| &curve.points).filter(|it| it.point.parameter.to_bits() == first.to_bits());
+    let points = curves
+        .flat_map(|curve| &curve.points)
+        .filter(|point| point.point.parameter.to_bits() == first.to_bits());
     let off = |point: &CurvePoint| (point.second - second).abs();
     let nearest = points.min_by(|a, b| off(a).total_cmp(&off(b)));
     let nearest = nearest.unwrap_or_else(|| panic!("no {kind} at {first}"));
@@ -38,15 +39,16 @@ fn assert_edge([w, c]: [&str; 2], rest: f64, range: [f64; 2], kind: SpecialKind,
         ResponseOptions { start: Some(vec![rest, 0.0]), generations: 0, ..ResponseOptions::default() };
     let response =
         Response::over(&equation_with(PIVOT, &[("w", w), ("c", c)]), "a", range, &options, &Quiet).unwrap();
-    let special = response.branches.iter().flat_map(|branch| &branch.special).filter(|it| it.kind == kind);
+    let special =
+        response.branches.iter().flat_map(|branch| &branch.special).filter(|special| special.kind == kind);
     let off = |parameter: f64| (parameter - edge).abs();
-    let found = special.min_by(|a, b| off(a.point.parameter).total_cmp(&off(b.point.parameter)));
-    let found = found.unwrap_or_else(|| panic!("no {kind} at w = {w}, c = {c}"));
-    let parameter = found.point.parameter;
+    let nearest = special.min_by(|a, b| off(a.point.parameter).total_cmp(&off(b.point.parameter)));
+    let nearest = nearest.unwrap_or_else(|| panic!("no {kind} at w = {w}, c = {c}"));
+    let parameter = nearest.point.parameter;
     assert!(
-        off(parameter) <= (1e-12 * edge).min(found.error.max(2e-13 * edge)),
+        off(parameter) <= (1e-12 * edge).min(nearest.error.max(2e-13 * edge)),
         "w = {w}, c = {c}: {parameter:?} ± {:e} for {edge:?}",
-        found.error
+        nearest.error
     );
 }
 
@@ -109,7 +111,7 @@ fn tongues_narrower_than_the_grid_are_found() {
     assert!(first.len() >= 2, "{} edges", first.len());
     let near_tip = |curve: &&&SpecialCurve| {
         let ends = [curve.points.first(), curve.points.last()];
-        ends.into_iter().flatten().any(|it| (it.point.parameter - 2.0).abs() < 0.02 && it.second < 0.01)
+        ends.into_iter().flatten().any(|end| (end.point.parameter - 2.0).abs() < 0.02 && end.second < 0.01)
     };
     assert!(first.iter().filter(near_tip).count() >= 2);
     // To first order in a the boundaries are at w = 2 ± a·w²/2·… = 2(1 ± a).
@@ -239,25 +241,25 @@ const TWO: &str = "x'' + c*x' + (1 + m*cos(2*w*t))*x + 0.27*y + x^3 = 0; y'' + c
 
 /// The boundaries of an equilibrium at the greatest value of the second parameter, in order.
 fn upper_ends(chart: &StabilityChart, second: f64) -> Vec<(SpecialKind, f64)> {
-    let mut found = vec![];
+    let mut all = vec![];
     for curve in &chart.curves {
         let at_top = curve.points.iter().filter(|point| point.second.to_bits() == second.to_bits());
-        let mut own: Vec<(SpecialKind, f64)> =
+        let mut ends: Vec<(SpecialKind, f64)> =
             at_top.map(|at_top| (curve.kind, at_top.point.parameter)).collect();
         // A curve that was found on the edge of the map has two points there.
-        own.sort_by(|a, b| a.1.total_cmp(&b.1));
-        own.dedup_by(|a, b| (a.1 - b.1).abs() < 1e-9);
-        found.extend(own);
+        ends.sort_by(|a, b| a.1.total_cmp(&b.1));
+        ends.dedup_by(|a, b| (a.1 - b.1).abs() < 1e-9);
+        all.extend(ends);
     }
-    found.sort_by(|a, b| a.1.total_cmp(&b.1));
-    found
+    all.sort_by(|a, b| a.1.total_cmp(&b.1));
+    all
 }
 
 fn assert_upper_ends(chart: &StabilityChart, second: f64, expected: &[f64], accuracy: f64) {
-    let found = upper_ends(chart, second);
-    assert_eq!(found.len(), expected.len(), "{found:?}");
-    for ((_, found), expected) in found.iter().zip(expected) {
-        assert!((found - expected).abs() < accuracy, "{found:?} for {expected:?}");
+    let ends = upper_ends(chart, second);
+    assert_eq!(ends.len(), expected.len(), "{ends:?}");
+    for ((_, computed), expected) in ends.iter().zip(expected) {
+        assert!((computed - expected).abs() < accuracy, "{computed:?} for {expected:?}");
     }
 }
 
@@ -283,9 +285,9 @@ fn both_borders_of_a_narrow_tongue_are_followed_once() {
     let equation = equation_with(TWO, &[("c", "0")]);
     let ranges = [[0.55, 0.65], [0.0333333, 0.1]];
     let chart = StabilityChart::over(&equation, ["w", "m"], ranges, &REST_ALONE, &Quiet).unwrap();
-    let found = upper_ends(&chart, 0.1);
-    let near = |expected: f64| found.iter().filter(|it| (it.1 - expected).abs() < 1e-8).count();
-    assert_eq!([near(0.5960813310), near(0.5963899479)], [1, 1], "{found:?}");
+    let ends = upper_ends(&chart, 0.1);
+    let near = |expected: f64| ends.iter().filter(|end| (end.1 - expected).abs() < 1e-8).count();
+    assert_eq!([near(0.5960813310), near(0.5963899479)], [1, 1], "{ends:?}");
 }
 
 /// The third tongue of Mathieu's equation, by SciPy's DOP853, lies in the first interval of the grid.
@@ -294,10 +296,10 @@ fn a_tongue_next_to_the_edge_of_a_map_is_found() {
     let equation = equation_with("x'' + 0.0004*x' + (1 + m*cos(2*w*t))*x + x^3 = 0", &[]);
     let ranges = [[0.33, 1.32], [0.1, 0.3]];
     let chart = StabilityChart::over(&equation, ["w", "m"], ranges, &REST_ALONE, &Quiet).unwrap();
-    let found = upper_ends(&chart, 0.3);
-    let inside = found.iter().filter(|it| it.1 < 0.34).count();
-    assert_eq!(inside, 2, "{found:?}");
-    assert!(found.windows(2).all(|pair| pair[1].1 - pair[0].1 > 1e-9), "{found:?}");
+    let ends = upper_ends(&chart, 0.3);
+    let inside = ends.iter().filter(|end| end.1 < 0.34).count();
+    assert_eq!(inside, 2, "{ends:?}");
+    assert!(ends.windows(2).all(|pair| pair[1].1 - pair[0].1 > 1e-9), "{ends:?}");
 }
 
 /// cos(wt)² = (1 + cos(2wt))/2: both forms of an equation have the same boundaries, of the same kinds.
@@ -310,7 +312,7 @@ fn the_kind_of_a_boundary_is_that_over_the_least_period() {
     };
     let squared = over("x'' + 0.04*x' + (1 + m*cos(w*t)^2)*x + x^3 = 0");
     let doubled = over("x'' + 0.04*x' + (1 + m/2 + m/2*cos(2*w*t))*x + x^3 = 0");
-    assert!(squared.iter().any(|it| it.0 == SpecialKind::PeriodDoubling), "{squared:?}");
+    assert!(squared.iter().any(|end| end.0 == SpecialKind::PeriodDoubling), "{squared:?}");
     assert_eq!(squared.len(), doubled.len());
     for (a, b) in squared.iter().zip(&doubled) {
         assert!(a.0 == b.0 && (a.1 - b.1).abs() < 1e-12, "{a:?} {b:?}");
@@ -322,7 +324,7 @@ fn the_kind_of_a_boundary_is_that_over_the_least_period() {
 fn the_error_of_a_boundary_at_zero_contains_that_of_the_multipliers() {
     let chart = mathieus([[-0.5, 0.5], [0.0, 1.0]]);
     let all = chart.curves.iter().filter(|curve| curve.kind == SpecialKind::BranchPoint);
-    let start = all.flat_map(|it| &it.points).find(|it| it.second == 0.0).unwrap();
+    let start = all.flat_map(|curve| &curve.points).find(|point| point.second == 0.0).unwrap();
     assert!(
         start.point.parameter.abs() <= start.point.error,
         "{:e} {:e}",
