@@ -34,6 +34,39 @@ fn a_section_has_the_period_of_the_drive() {
     }
 }
 
+/// A triple zero of the formula is known to a third of the digits, a chaotic motion for some hundred seconds.
+#[test]
+fn points_of_a_section_have_errors() {
+    let arguments = ["section", "x'' = -x", "--initial", "x=1", "--at", "x^3", "--points", "4"];
+    let answer = ask(&[&arguments[..], &["--json"]].concat());
+    assert_eq!(answer["determined_until_s"], serde_json::json!([null]));
+    let points = answer["points"].as_array().unwrap();
+    for (n, point) in (0..).zip(points) {
+        let error = numbers(&point["error"]);
+        assert!(numbers(&point["state"])[0].abs() <= error[0], "{point}");
+        let exact = (1.5 + 2.0 * f64::from(n)) * std::f64::consts::PI;
+        let distance = (point["time_s"].as_f64().unwrap() - exact).abs();
+        assert!(distance <= point["time_error_s"].as_f64().unwrap(), "{point}");
+    }
+    let table = String::from_utf8(answered(&arguments)).unwrap();
+    assert!(table.contains("4.712388979  -2e-9  1.000000000"), "{table}");
+    let without = ask(&[&arguments[..], &["--json", "--no-errors"]].concat());
+    assert_eq!(
+        (&without["points"][3]["error"], &without["points"][3]["state"]),
+        (&Value::Null, &points[3]["state"])
+    );
+
+    let chaotic = ["section", "--points", "60", "--skip", "0"];
+    let answer = ask(&[&chaotic[..], &DRIVEN].concat());
+    let until = answer["determined_until_s"][0].as_f64().unwrap();
+    for point in answer["points"].as_array().unwrap() {
+        let is_determined = point["time_s"].as_f64().unwrap() <= until;
+        assert_eq!(point["error"][0].is_f64(), is_determined, "{until}: {point}");
+    }
+    let table = String::from_utf8(answered(&[&chaotic[..], &DRIVEN[..5]].concat())).unwrap();
+    assert!(table.contains("later points are those of a"), "{table}");
+}
+
 #[test]
 fn several_motions_cross_a_plane() {
     let equations = "x'' = -x - 2 x y; y'' = -y - x^2 + y^2";
@@ -43,11 +76,13 @@ fn several_motions_cross_a_plane() {
     let drawn = ["--figure", figure.to_str().unwrap(), "--csv"];
     let csv = String::from_utf8(answered(&[&arguments[..], &starts, &drawn].concat())).unwrap();
     let mut lines = csv.lines();
-    assert_eq!(lines.next(), Some("motion,time_s,x,y,x',y'"));
+    let errors = "time_error_s,x_error,y_error,x'_error,y'_error";
+    assert_eq!(lines.next(), Some(&*format!("motion,time_s,x,y,x',y',{errors}")));
     let rows: Vec<Vec<f64>> =
         lines.map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect()).collect();
     assert_eq!(rows.iter().filter(|row| row[0] > 1.5).count(), 20);
-    assert!(rows.iter().all(|row| row[2].abs() < 1e-12 && row[4] > 0.0));
+    assert!(rows.iter().all(|row| row[2].abs() <= row[7] && row[4] > 0.0));
+    assert!(rows.iter().all(|row| row[6..].iter().all(|error| *error < 1e-10)));
     let svg = std::fs::read_to_string(figure).unwrap();
     assert!(svg.contains("Poincaré section") && svg.contains(">y′<"), "axes y and y′");
 }

@@ -182,7 +182,8 @@ fn of_row<'a>() -> Fields<SectionRow<'a>> {
         .numeral("motion", |row| row.motion.to_string()),
         Of::number("time_s", "s", "time of the point", |row| row.time),
         Of::value("state[]", "", "state there, in the order of the names", |row| json::numbers(&row.state)),
-        Of::present_value("time_error_s", "s", OF_ERRORS, |row| Some(json::number(row.errors()?.time))),
+        Of::present_value("time_error_s", "s", OF_ERRORS, |row| Some(json::number(row.errors()?.time)))
+            .only_json(),
         Of::present_value("error[]", "", OF_ERRORS, |row| Some(json::numbers(&row.errors()?.state))),
     ])
 }
