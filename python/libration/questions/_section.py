@@ -22,6 +22,7 @@ def section(
     points: int | None = None,
     tolerance: Value | None = None,
     fold: bool = False,
+    no_errors: bool = False,
     axes: Given | None = None,
     figure: Path | None = None,
     size: Literal["page", "column", "slide"] | None = None,
@@ -60,6 +61,8 @@ def section(
         The relative error allowed in each step [default: 1e-12].
     fold : bool
         Reduce angles to the range from −π to π, as pictures always do.
+    no_errors : bool
+        Do not estimate the errors of the points, which saves time.
     axes : number or text, or several, optional
         The two state variables that the picture shows [default: a coordinate and its velocity].
     figure : str or path, optional
