@@ -21,7 +21,8 @@ pub enum MelnikovError {
     Open(String),
     /// No restoring force.
     #[error(
-        "the acceleration contains {0} sin of the angle: give a pendulum that hangs at zero, whose acceleration has -omega0^2*sin in it"
+        "sin of the angle has the factor {0} in the acceleration, and needs a negative one, -omega0^2: give a pendulum that hangs at zero, without \
+         products of half angles"
     )]
     NoPendulum(f64),
     /// A force of the angle alone that is not a polynomial of sine and cosine.

@@ -172,6 +172,31 @@ fn the_time_of_a_touch_is_right_to_what_is_stated() {
     }
 }
 
+/// A step of Newton's method is a fraction of the distance to a multiple zero.
+#[test]
+fn multiple_zeros_are_within_their_errors() {
+    for (root, time) in [("x", 0.5 * PI), ("(x - 1/2)", PI / 3.0), ("(x + sqrt(3)/2)", 5.0 / 6.0 * PI)] {
+        for power in ["^3", "^5", "^7", "^9", "^3*(2 + x')", "^5*exp(t)"] {
+            for tolerance in TOLERANCES {
+                let ending = first_zero_of(&format!("{root}{power}"));
+                let [end, error] = ended("x'' = -x", &[("x", 1.0)], &ending, tolerance);
+                let off = (end.time - time).abs();
+                assert!(
+                    off <= error.time && error.time < 0.5,
+                    "{root}{power} {tolerance:e}: {off:e} {error:?}"
+                );
+                let exact = [libm::cos(time), -libm::sin(time)];
+                for ((value, exact), error) in end.state.iter().zip(exact).zip(&error.state) {
+                    assert!(
+                        (value - exact).abs() <= *error,
+                        "{root}{power} {tolerance:e}: {value} {exact} {error}"
+                    );
+                }
+            }
+        }
+    }
+}
+
 /// Motions some of whose neighbours end, as for sqrt(x) below zero, and motions with too many steps for the integration of each step's neighbour.
 #[test]
 fn where_roundings_are_not_followed_more_is_stated_of_the_rest() {

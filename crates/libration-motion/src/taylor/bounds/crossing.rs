@@ -101,6 +101,25 @@ impl Crossing {
     }
 }
 
+impl Passing {
+    /// The sign of the formula if it exceeds its rounding error and one of the state, else zero.
+    pub(in crate::taylor) fn sign_beyond(&self, error_of_state: f64) -> f64 {
+        /// At a simple zero the formula is as large as its error, to rounding, after the time that the error takes.
+        const NEARLY: f64 = 0.9;
+        let is_known = self.value.abs() >= NEARLY * (self.error + error_of_state);
+        if is_known { self.value.signum() } else { 0.0 }
+    }
+}
+
+/// A time, doubled until the signs of a formula this long before and after its zero are known and opposite. At a zero of multiplicity m a step
+/// of Newton's method is an m-th of the distance, and a parabola is no approximation. `None` if the signs are the same, as about two zeros.
+pub(in crate::taylor) fn enclosing_time(late: f64, mut sign: impl FnMut(f64) -> f64) -> Option<f64> {
+    /// Farther away the formula is not small next to its size in the step.
+    const DOUBLINGS: i32 = 12;
+    let mut doubled = (0..DOUBLINGS).map(|doublings| libm::ldexp(late, doublings));
+    doubled.find(|late| sign(-late) * sign(*late) < 0.0)
+}
+
 /// The arguments of the |…| and signs in a formula, roots of squares included.
 fn arguments(formula: &Expression) -> Vec<Expression> {
     let argument = match formula {

@@ -1,6 +1,6 @@
 //! Errors of samples and events, with those of the formulas there.
 
-use super::crossing::{Crossing, Passing};
+use super::crossing::{Crossing, Passing, enclosing_time};
 use super::roundings_of_steps::terms;
 use super::spread::Spread;
 use crate::taylor::events::sharp::SHORTEST_PART;
@@ -163,23 +163,13 @@ impl ZeroPassage {
         Self { spread, passing, scale, error, late, is_bent }
     }
 
-    /// Enlarges the error of the time until the formula exceeds its error, with opposite signs, this long before and after the event. At a
-    /// zero of multiplicity m a step of Newton's method is an m-th of the distance, and a parabola is no approximation. Two zeros within the
-    /// error have the same sign on both sides, and their error remains.
+    /// Enlarges the error of the time to one that encloses the zero, if that of a simple or double zero does not.
     fn enclose(&mut self, mut at: impl FnMut(f64) -> Passing) {
-        /// At a simple zero the formula is as large as its error, to rounding.
-        const NEARLY: f64 = 0.9;
-        /// Farther away the formula is not small next to its size in the step.
-        const DOUBLINGS: i32 = 12;
-        let mut side = |late: f64| {
-            let Passing { value, gradient, error, .. } = at(late);
-            let is_known = value.abs() >= NEARLY * (error + self.scale * self.spread.of_sum(&gradient));
-            if is_known { value.signum() } else { 0.0 }
+        let sign = |late: f64| {
+            let passing = at(late);
+            passing.sign_beyond(self.scale * self.spread.of_sum(&passing.gradient))
         };
-        let mut doubled = (0..DOUBLINGS).map(|doublings| libm::ldexp(self.late, doublings));
-        if let Some(late) =
-            doubled.find(|late| side(-late) * side(*late) < 0.0).filter(|late| *late > self.late)
-        {
+        if let Some(late) = enclosing_time(self.late, sign).filter(|late| *late > self.late) {
             self.late = late;
             self.is_bent = true;
         }

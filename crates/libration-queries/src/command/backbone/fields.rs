@@ -4,7 +4,7 @@ use super::BackboneResult;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
-use crate::output::number::{at_most, rounded, short};
+use crate::output::number::{at_most, rounded, short, to_its_error};
 use crate::output::series::{certainty, radius_certainty};
 use libration::comparison::{BackbonePoint, ExactValue, OrbitFrequency};
 
@@ -91,8 +91,10 @@ pub(super) fn of_point<'a>() -> Fields<Point<'a>> {
         Of::nullable("angular_frequency_rad_per_s", "rad/s", "angular frequency by the orbit, or null", |point| {
             point.orbit().map(|orbit| orbit.frequency)
         })
-        .rounded(ORBIT[1], 15)
-        .or("none"),
+        .numeral(ORBIT[1], |point| {
+            let frequency = |orbit: &OrbitFrequency| to_its_error(orbit.frequency, orbit.uncertainty, 15);
+            point.orbit().map_or_else(|| "none".to_owned(), frequency)
+        }),
         Of::present("angular_frequency_uncertainty_rad_per_s", "rad/s", "bound on the error of that frequency", |point| {
             point.orbit().map(|orbit| orbit.uncertainty)
         })

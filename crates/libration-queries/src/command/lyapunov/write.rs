@@ -6,6 +6,7 @@ use crate::output::field::{Field, Fields};
 use crate::output::json;
 use crate::output::table::{paragraph, sheet};
 use crate::output::{Form, number};
+use libration::chaos::LyapunovExponent;
 use std::io::{self, Write};
 
 /// Width at which sentences are broken, in columns.
@@ -69,12 +70,13 @@ fn of_answer<'a>() -> Fields<LyapunovResult<'a>> {
         }),
         Of::number("exponent_per_s", "1/s", "largest Lyapunov exponent", |result| result.exponent.exponent)
             .line_of("largest Lyapunov exponent", |result| {
-                let exponent = number::rounded(result.exponent.exponent, 5);
-                match result.exponent.uncertainty {
-                    uncertainty if uncertainty.is_finite() => {
-                        format!("{exponent} ± {} 1/s", number::rounded(uncertainty, 2))
+                let LyapunovExponent { exponent, uncertainty, .. } = result.exponent;
+                match uncertainty.is_finite() {
+                    true => number::with_uncertainty(exponent, uncertainty, "1/s"),
+                    false => {
+                        let exponent = number::rounded(exponent, 5);
+                        format!("{exponent} 1/s  (uncertainty not known: too few intervals)")
                     }
-                    _ => format!("{exponent} 1/s  (uncertainty not known: too few intervals)"),
                 }
             }),
         Of::number(

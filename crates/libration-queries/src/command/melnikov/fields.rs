@@ -4,7 +4,7 @@ use super::{Crossing, MelnikovResult};
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
-use crate::output::number::{at_most, rounded, short};
+use crate::output::number::{at_most, short, to_its_error};
 use libration::algebra::Complex;
 use libration::melnikov::{DriveResonance, Melnikov};
 
@@ -58,7 +58,7 @@ pub(super) fn of_answer() -> Fields<MelnikovResult> {
             result
                 .at
                 .as_ref()
-                .map_or_else(String::new, |(name, value)| format!("{name} = {}", rounded(*value, 16)))
+                .map_or_else(String::new, |(name, value)| format!("{name} = {}", short(*value, 16)))
         }),
         Of::number("omega0_rad_per_s", "rad/s", "angular frequency of the smallest swings", |result| {
             result.pendulum.omega0()
@@ -177,7 +177,9 @@ pub(super) fn of_crossing() -> Fields<Crossing> {
             "value of the parameter at which simple zeros appear or vanish",
             |crossing| crossing.threshold.value,
         )
-        .rounded("threshold", 16),
+        .numeral("threshold", |crossing| {
+            to_its_error(crossing.threshold.value, crossing.threshold.error, 16)
+        }),
         Of::number("error", "", "bound on the error of that value as a first-order threshold", |crossing| {
             crossing.threshold.error
         })
@@ -191,7 +193,11 @@ pub(super) fn of_crossing() -> Fields<Crossing> {
         Of::nullable("tangency", "", "value at which the manifolds themselves touch, or null", |crossing| {
             crossing.tangency.as_ref().ok().map(|tangency| tangency.value)
         })
-        .rounded("they touch at", 14),
+        .numeral("they touch at", |crossing| {
+            let tangency = crossing.tangency.as_ref();
+            tangency
+                .map_or_else(|_| String::new(), |tangency| to_its_error(tangency.value, tangency.error, 14))
+        }),
         Of::nullable("tangency_error", "", "its error, or null", |crossing| {
             crossing.tangency.as_ref().ok().map(|tangency| tangency.error)
         })

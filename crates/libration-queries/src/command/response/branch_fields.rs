@@ -3,7 +3,7 @@
 use super::{Decimal, ResponseResult};
 use crate::output::field::{Field, Fields};
 use crate::output::json;
-use crate::output::number::at_most;
+use crate::output::number::{at_most, to_its_error};
 use libration::algebra::Complex;
 use libration::continuation::{Branch, BranchPoint, Ending, Origin, SpecialPoint};
 use serde_json::Value;
@@ -206,8 +206,12 @@ pub(super) fn of_special<'a>() -> Fields<PointOfBranch<'a>> {
         }),
         Of::value("branch", "1", "number of its branch, from 1", |point| point.of.number.into())
             .numeral("branch", |point| point.of.number.to_string()),
-        Of::number("parameter", "", "value of the parameter there", |point| point.point.parameter)
-            .rounded("parameter", 16),
+        Of::number("parameter", "", "value of the parameter there", |point| point.point.parameter).numeral(
+            "parameter",
+            |point| {
+                to_its_error(point.point.parameter, point.special.map_or(0.0, |special| special.error), 16)
+            },
+        ),
         Of::number("error", "", "bound on the error of that value", |point| {
             point.special.map_or(f64::NAN, |special| special.error)
         })

@@ -4,7 +4,7 @@ use super::StabilityResult;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
-use crate::output::number::short;
+use crate::output::number::{at_most, short, to_its_error};
 use libration::algebra::Complex;
 use libration::continuation::{CurvePoint, Ending, SpecialCurve};
 use serde_json::Value;
@@ -221,13 +221,13 @@ pub(super) fn of_row<'a>() -> Fields<PointOfCurve<'a>> {
             point.of.curve.at_rest.into()
         }),
         Of::number("first", "", "value of the first parameter", |point| point.point.point.parameter)
-            .rounded("first", 14),
+            .numeral("first", |point| to_its_error(point.point.point.parameter, point.point.point.error, 14)),
         Of::number("second", "", "value of the second parameter", |point| point.point.second)
-            .rounded("second", 14),
+            .numeral("second", |point| to_its_error(point.point.second, point.point.point.error, 14)),
         Of::number("error", "", "bound on the error of the values across the curve", |point| {
             point.point.point.error
         })
-        .numeral("to", |point| crate::output::number::at_most(point.point.point.error)),
+        .numeral("to", |point| at_most(point.point.point.error)),
         Of::number(
             "amplitude_max",
             "",

@@ -3,7 +3,7 @@
 use super::super::listing::{self, Symbols, letter_of};
 use super::{NOT_REACHED, Numbers, Quotient, fields};
 use crate::call::in_words;
-use crate::output::number::{at_most, rounded, short};
+use crate::output::number::{at_most, rounded, short, to_its_error};
 use crate::output::series::{subscript, superscript};
 use crate::output::table::{Table, sheet, write_text};
 use libration::algebra::Rational;
@@ -100,11 +100,12 @@ fn summary(numbers: &Numbers<'_>) -> Vec<(&'static str, String)> {
 fn exact(numbers: &Numbers<'_>) -> String {
     match &numbers.exact {
         Some(Ok(exact)) => {
-            let road = match exact.method {
+            let method = match exact.method {
                 Method::Elliptic => "by elliptic integrals",
                 Method::Integration => "by integrating the equation of motion",
             };
-            format!("{}, error below {}, {road}", rounded(exact.value, 16), at_most(exact.uncertainty))
+            let value = to_its_error(exact.value, exact.uncertainty, 16);
+            format!("{value}, error below {}, {method}", at_most(exact.uncertainty))
         }
         Some(Err(reason)) => format!("none: {reason}"),
         None => NOT_REACHED.to_owned(),
