@@ -112,7 +112,7 @@ impl Passing {
 }
 
 /// A time, doubled until the signs of a formula this long before and after its zero are known and opposite. At a zero of multiplicity m a step
-/// of Newton's method is an m-th of the distance, and a parabola is no approximation. `None` if the signs are the same, as about two zeros.
+/// of Newton's method is an m-th of the distance, and a parabola does not approximate the formula. `None` if the signs are the same, as about two zeros.
 pub(in crate::taylor) fn enclosing_time(late: f64, mut sign: impl FnMut(f64) -> f64) -> Option<f64> {
     /// Farther away the formula is not small next to its size in the step.
     const DOUBLINGS: i32 = 12;
