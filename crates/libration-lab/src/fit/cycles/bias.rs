@@ -68,7 +68,7 @@ impl Bias {
             watch.go_on().ok()?;
             apparatus.measured(times, &motion, watch)
         });
-        let mut nodes: Vec<(f64, f64)> = measured.collect();
+        let mut nodes: Vec<(f64, f64)> = measured.flatten().collect();
         nodes.sort_by(|a, b| a.0.total_cmp(&b.0));
         nodes.dedup_by(|a, b| a.0 <= b.0);
         (nodes.len() > 1).then_some(Self(nodes))
@@ -118,8 +118,8 @@ impl SimulatedMeasurement {
             .ok()
     }
 
-    /// The mean amplitude and the mean bias of the cycles in these values.
-    fn measured(&self, times: &[f64], motion: &Solution, watch: &Watch<'_>) -> Option<(f64, f64)> {
+    /// The mean amplitudes and the mean biases of the cycles of like amplitudes in these values.
+    fn measured(&self, times: &[f64], motion: &Solution, watch: &Watch<'_>) -> Option<Vec<(f64, f64)>> {
         let component = usize::from(self.observable == Observable::AngularVelocity);
         let values = motion.samples.iter().map(|sample| sample.state[component]).collect();
         let trace = Trace::new("simulated", self.observable, times.to_vec(), values, None).ok()?;
@@ -128,9 +128,28 @@ impl SimulatedMeasurement {
         let landmarks = CycleLandmarks::new(&[marks], 1.0);
         let rows = landmarks.rows(&landmarks.half_swings(self.observable, self.omega0));
         let inner = rows.get(1..rows.len().saturating_sub(1))?;
+        Some(like_amplitudes(inner).filter_map(|cycles| self.mean_bias(cycles)).collect())
+    }
+
+    /// The mean amplitude and the mean bias of these cycles.
+    fn mean_bias(&self, cycles: &[CycleRow]) -> Option<(f64, f64)> {
         let t0 = TAU / self.omega0;
-        let of = |value: &dyn Fn(&CycleRow) -> f64| mean(inner.iter().map(value));
+        let of = |value: &dyn Fn(&CycleRow) -> f64| mean(cycles.iter().map(value));
         let bias = of(&|row| row.period / t0 - row.ratio);
         bias.is_finite().then(|| (of(&CycleRow::amplitude), bias))
     }
+}
+
+/// Consecutive cycles in groups of almost the same amplitude. Under dry friction the bias is inverse to the square of the amplitude: its mean over
+/// cycles whose amplitudes fall to a half is an eighth above that at the mean of the amplitudes.
+fn like_amplitudes(mut cycles: &[CycleRow]) -> impl Iterator<Item = &[CycleRow]> {
+    /// Largest difference from the first of a group, relative to it.
+    const ALIKE: f64 = 0.05;
+    std::iter::from_fn(move || {
+        let first = cycles.first()?.amplitude();
+        let is_alike = |row: &&CycleRow| (row.amplitude() - first).abs() <= ALIKE * first;
+        let (group, later) = cycles.split_at(cycles.iter().take_while(is_alike).count().max(1));
+        cycles = later;
+        Some(group)
+    })
 }
