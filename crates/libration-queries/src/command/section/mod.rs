@@ -50,7 +50,7 @@ pub(crate) struct PoincareQuestion {
     initial: SeveralInitialOptions,
     #[command(flatten)]
     section: SectionOptions,
-    /// Do not estimate the errors of the points, which saves time
+    /// Do not estimate the errors of the states, which saves time
     #[arg(long)]
     no_errors: bool,
     /// The two state variables that the picture shows [default: a coordinate and its velocity]
