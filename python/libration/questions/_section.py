@@ -62,7 +62,7 @@ def section(
     fold : bool
         Reduce angles to the range from −π to π, as pictures always do.
     no_errors : bool
-        Do not estimate the errors of the points, which saves time.
+        Do not estimate the errors of the states, which saves time.
     axes : number or text, or several, optional
         The two state variables that the picture shows [default: a coordinate and its velocity].
     figure : str or path, optional
