@@ -192,7 +192,7 @@ class Answer(Fields):
         return Rows(longest)
 
     def to_pandas(self) -> "pandas.DataFrame":
-        """The rows, with a column for each number of a state."""
+        """The rows, with a column for each number of a state and for its error."""
         import pandas
 
         return pandas.DataFrame(_cells(self._columns()))
@@ -217,8 +217,9 @@ class Answer(Fields):
         columns: dict[str, Column] = {}
         for name in rows.names:
             column = rows[name]
-            if name == "state" and column.ndim == 2:
-                columns |= dict(zip(self._fields["state"], column.T))
+            if name in ("state", "error") and column.ndim == 2:
+                end = "" if name == "state" else "_error"
+                columns |= {f"{of}{end}": it for of, it in zip(self._fields["state"], column.T)}
             else:
                 columns[name] = column
         return columns

@@ -425,7 +425,9 @@ def test_tables_for_pandas_and_xarray():
     pytest.importorskip("xarray")
     answer = lb.section("driven_pendulum", set=DRIVE, initial={"theta": 0.2}, points=4, skip=0)
     frame = answer.to_pandas()
-    assert list(frame) == ["motion", "time_s", "theta", "theta'"] and len(frame) == 4
+    errors = ["time_error_s", "theta_error", "theta'_error"]
+    assert list(frame) == ["motion", "time_s", "theta", "theta'", *errors] and len(frame) == 4
+    assert frame["theta_error"].between(0, 1e-11).all()
     dataset = answer.to_xarray()
     assert dataset["theta'"].values.tolist() == frame["theta'"].tolist()
     assert dataset.attrs["system"] == "driven_pendulum"
