@@ -231,8 +231,9 @@ test("two driven pendulums stay in step, or part", () => {
 async function pointsOf(room, decimals) {
   const section = room.locator("section", { has: room.getByRole("heading", { name: "Poincaré section", exact: true }) });
   const lines = (await saved(section, "Save the numbers as CSV")).bytes.toString().trim().split("\n");
-  const own = lines.filter((line) => line.startsWith("1,")).slice(-64);
-  return [...new Set(own.map((line) => Number(line.split(",").at(-1)).toFixed(decimals)))].map(Number).sort((a, b) => a - b);
+  const velocity = lines[0].split(",").indexOf("theta'");
+  const last = lines.filter((line) => line.startsWith("1,")).slice(-64);
+  return [...new Set(last.map((line) => Number(line.split(",")[velocity]).toFixed(decimals)))].map(Number).sort((a, b) => a - b);
 }
 
 // Velocities once per period of the drive by SciPy's solve_ivp with DOP853 and a tolerance of 1e-10, after 200 periods. The exponents: −c/2 where the

@@ -222,10 +222,9 @@ impl SectionOfMotion<'_> {
         }
     }
 
-    /// The errors along the motion, if they were requested and the start fits the system.
+    /// The errors along the motion, if they were requested.
     fn errors(&self, system: &System) -> Option<StateErrors> {
-        let fits = self.start.state.len() == system.layout().numbers();
-        (self.with_errors && fits).then(|| StateErrors::new(system, self.start, self.effort))
+        self.with_errors.then(|| StateErrors::new(system, self.start, self.effort))
     }
 
     fn stroboscopic(

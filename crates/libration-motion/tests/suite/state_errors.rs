@@ -170,6 +170,43 @@ fn pendulums_from_next_to_the_top_are_determined_as_far_as_is_said() {
     }
 }
 
+/// Zeros of high orders that are crossed or touched, on the way and at a turning point: a step of Newton's method is a fraction of the distance.
+#[test]
+fn errors_of_events_at_multiple_zeros_hold() {
+    let equation = "x'' = -x".parse().unwrap();
+    // x where the formula is zero, the time from x = 1 to there, and powers.
+    let roots: [(&str, f64, f64, &[&str]); 4] = [
+        ("x", 0.0, 0.5 * PI, &["", "^2", "^3", "^4", "^5", "^6", "^7", "^8", "^5*exp(t)", "^4*(2 + x')"]),
+        ("(x - 1/2)", 0.5, PI / 3.0, &["^2", "^3", "^4", "^5", "^6"]),
+        ("(x + 1)", -1.0, PI, &["", "^2", "^3", "^4"]),
+        ("abs(x)", 0.0, 0.5 * PI, &["", "^2", "^3", "^5"]),
+    ];
+    for (root, position, angle, powers) in roots {
+        for (power, tolerance) in
+            powers.iter().flat_map(|power| TOLERANCES.map(|tolerance| (power, tolerance)))
+        {
+            let formula = format!("{root}{power}");
+            let system = System::new(&equation).unwrap();
+            let system = system.with_events(&[Event::zero_of(formula.parse().unwrap())]).unwrap();
+            let events = events_with_errors(&system, vec![1.0, 0.0], 25.0, tolerance);
+            assert!(events.len() >= 4, "{formula} {tolerance:e}: {}", events.len());
+            for (Occurrence { time, state, .. }, error) in events {
+                let zeros =
+                    [angle, -angle].map(|zero| zero + 2.0 * PI * ((time - zero) / (2.0 * PI)).round());
+                let zero = zeros.into_iter().min_by(|a, b| (time - a).abs().total_cmp(&(time - b).abs()));
+                let exact = [zero.unwrap(), position, -libm::sin(zero.unwrap())];
+                let computed = [time, state[0], state[1]];
+                let errors = [error.time, error.state[0], error.state[1]];
+                assert!(error.time < 0.5, "{formula} {tolerance:e} {time}: {errors:?}");
+                for ((value, exact), error) in computed.into_iter().zip(exact).zip(errors) {
+                    let off = (value - exact).abs();
+                    assert!(off <= error, "{formula} {tolerance:e} {time}: {value} {exact} {error:e}");
+                }
+            }
+        }
+    }
+}
+
 /// Passages of the bottom, turning points and touches.
 #[test]
 fn errors_of_events_hold() {

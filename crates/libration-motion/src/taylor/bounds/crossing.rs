@@ -101,23 +101,46 @@ impl Crossing {
     }
 }
 
-impl Passing {
-    /// The sign of the formula if it exceeds its rounding error and one of the state, else zero.
-    pub(in crate::taylor) fn sign_beyond(&self, error_of_state: f64) -> f64 {
+impl Crossing {
+    /// The error of the time of a zero, doubled until it encloses the zero: until the signs of the formula are known and opposite this long before
+    /// and after. At a zero of multiplicity m a step of Newton's method is an m-th of the distance, and a parabola does not approximate the formula.
+    /// `None` if the signs are the same, as about two zeros.
+    pub(in crate::taylor) fn enclosing_time(
+        &mut self,
+        at: &Moment,
+        sizes: &[f64],
+        late: f64,
+        error_of_state: impl Fn(&[f64]) -> f64,
+    ) -> Option<f64> {
+        /// Steps of Newton's method to a zero of this order, and as far beyond it.
+        const FARTHEST: f64 = 2.0 * 16.0;
         /// At a simple zero the formula is as large as its error, to rounding, after the time that the error takes.
         const NEARLY: f64 = 0.9;
-        let is_known = self.value.abs() >= NEARLY * (self.error + error_of_state);
-        if is_known { self.value.signum() } else { 0.0 }
+        let error_of = |passing: &Passing| passing.error + error_of_state(&passing.gradient);
+        let there = self.passing(at, sizes);
+        let newton = (there.value.abs() + error_of(&there)) / there.rate.abs();
+        let farthest = FARTHEST * if newton.is_finite() { newton.max(late) } else { late };
+        let mut sign = |late: f64| {
+            let passing = self.passing_later(at, late, sizes);
+            let is_known = passing.value.abs() >= NEARLY * error_of(&passing);
+            if is_known { passing.value.signum() } else { 0.0 }
+        };
+        let first = (late > 0.0).then_some(late);
+        let mut doubled =
+            std::iter::successors(first, |late| Some(2.0 * late)).take_while(|late| *late <= farthest);
+        doubled.find(|late| sign(-late) * sign(*late) < 0.0)
     }
-}
 
-/// A time, doubled until the signs of a formula this long before and after its zero are known and opposite. At a zero of multiplicity m a step
-/// of Newton's method is an m-th of the distance, and a parabola does not approximate the formula. `None` if the signs are the same, as about two zeros.
-pub(in crate::taylor) fn enclosing_time(late: f64, mut sign: impl FnMut(f64) -> f64) -> Option<f64> {
-    /// Farther away the formula is not small next to its size in the step.
-    const DOUBLINGS: i32 = 12;
-    let mut doubled = (0..DOUBLINGS).map(|doublings| libm::ldexp(late, doublings));
-    doubled.find(|late| sign(-late) * sign(*late) < 0.0)
+    /// The passage at another time, to which the motion is extrapolated by the midpoint rule.
+    fn passing_later(&mut self, at: &Moment, late: f64, sizes: &[f64]) -> Passing {
+        let moved = |by: f64, speeds: &[f64]| Moment {
+            time: at.time + by,
+            state: at.state.iter().zip(speeds).map(|(value, speed)| value + by * speed).collect(),
+        };
+        let at_start = self.passing(at, sizes).speeds;
+        let at_middle = self.passing(&moved(0.5 * late, &at_start), sizes).speeds;
+        self.passing(&moved(late, &at_middle), sizes)
+    }
 }
 
 /// The arguments of the |…| and signs in a formula, roots of squares included.

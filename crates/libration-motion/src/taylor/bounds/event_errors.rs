@@ -1,6 +1,6 @@
 //! Errors of samples and events, with those of the formulas there.
 
-use super::crossing::{Crossing, Passing, enclosing_time};
+use super::crossing::{Crossing, Passing};
 use super::roundings_of_steps::terms;
 use super::spread::Spread;
 use crate::taylor::events::sharp::SHORTEST_PART;
@@ -104,14 +104,19 @@ impl StateErrors {
         let bend = (at(event.time + beside).rate - at(event.time - beside).rate) / (2.0 * beside);
         if event.contact == Contact::Grazing && !is_at_kink {
             there.error += self.beyond(accepted, event, &there, &sizes, &spread);
-            return Some(ZeroPassage::new(spread, there, bend, scale));
         }
         let mut passage = ZeroPassage::new(spread, there, bend, scale);
-        if !is_at_kink {
-            // An extrapolated series is used next to the step only: there its error is at most some ten times that at the end.
-            let [low, high] = [step.start().min(step.end()), step.start().max(step.end())];
-            let beyond = 0.125 * length.abs();
-            passage.enclose(|late| at((event.time + late).clamp(low - beyond, high + beyond)));
+        let (system, at) = (stepper.expander.system, moment(event.time));
+        let of_state = |gradient: &[f64]| passage.scale * passage.spread.of_sum(gradient);
+        let late = passage.late;
+        let by_contact = self.crossings(system, event)[zero].enclosing_time(&at, &sizes, late, of_state);
+        // At a zero of a high order, rounding makes a touch a crossing, and a crossing a touch.
+        let contact = if event.contact == Contact::Grazing { Contact::Rising } else { Contact::Grazing };
+        let other = Occurrence { contact, ..event.clone() };
+        let mut by_other =
+            || self.crossings(system, &other).last_mut()?.enclosing_time(&at, &sizes, late, of_state);
+        if let Some(enclosing) = by_contact.or_else(&mut by_other).filter(|enclosing| *enclosing > late) {
+            (passage.late, passage.is_bent) = (enclosing, true);
         }
         Some(passage)
     }
@@ -161,18 +166,6 @@ impl ZeroPassage {
             false => 2.0 * off / (rate.abs() + (rate * rate - 2.0 * bend.abs() * off).sqrt()),
         };
         Self { spread, passing, scale, error, late, is_bent }
-    }
-
-    /// Enlarges the error of the time to one that encloses the zero, if that of a simple or double zero does not.
-    fn enclose(&mut self, mut at: impl FnMut(f64) -> Passing) {
-        let sign = |late: f64| {
-            let passing = at(late);
-            passing.sign_beyond(self.scale * self.spread.of_sum(&passing.gradient))
-        };
-        if let Some(late) = enclosing_time(self.late, sign).filter(|late| *late > self.late) {
-            self.late = late;
-            self.is_bent = true;
-        }
     }
 
     /// The error of a quantity with these derivatives by the state, which changes at this rate along the motion.

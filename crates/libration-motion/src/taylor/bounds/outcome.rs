@@ -1,9 +1,9 @@
 //! Derivatives of time and state at the end of a motion with respect to the state there, for an end at an event or at a given time.
 
-use super::crossing::{Crossing, Passing, enclosing_time};
+use super::crossing::{Crossing, Passing};
 use super::survey::Survey;
 use crate::taylor::program::linearised::ROUNDING;
-use crate::taylor::{Contact, Moment, System};
+use crate::taylor::{Moment, System};
 
 /// The components of the state at the end and then its time, as results of a survey.
 #[derive(Clone, Debug)]
@@ -23,8 +23,7 @@ impl Outcome {
         let zero = Crossing::zero_at(&mut formulas, end, &survey.sizes, 0.0)?;
         let passing = formulas[zero].passing(end, &survey.sizes);
         let late = (passing.error / passing.rate).abs();
-        let is_crossed = event.contact != Contact::Grazing && zero + 1 == formulas.len();
-        let enclosing = is_crossed.then(|| enclosing_late(&mut formulas[zero], &passing, survey)).flatten();
+        let enclosing = formulas[zero].enclosing_time(end, &survey.sizes, late, |_| 0.0);
         Some(Self::of_passing(&passing, end, enclosing.unwrap_or(late)))
     }
 
@@ -50,16 +49,4 @@ impl Outcome {
             moving.map(|(speed, value)| late * speed.abs() + ROUNDING * value.abs()).chain([late]).collect();
         Self { slopes, end_errors: errors }
     }
-}
-
-/// The error of the time of a zero, enlarged until it encloses a multiple one; the state changes in proportion to the time. `None` where no
-/// time encloses the zero.
-fn enclosing_late(formula: &mut Crossing, passing: &Passing, survey: &Survey) -> Option<f64> {
-    let end = &survey.solution.end;
-    let newton = ((passing.error + passing.value.abs()) / passing.rate).abs();
-    enclosing_time(newton, |late| {
-        let state =
-            end.state.iter().zip(&passing.speeds).map(|(value, speed)| value + late * speed).collect();
-        formula.passing(&Moment { time: end.time + late, state }, &survey.sizes).sign_beyond(0.0)
-    })
 }

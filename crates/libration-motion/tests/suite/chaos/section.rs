@@ -1,7 +1,7 @@
 //! Poincaré sections and bifurcation diagrams.
 
 use libration::chaos::{
-    Continuation, DiagramColumn, Family, PoincareSection, Points, Section, SectionEnding,
+    Continuation, DiagramColumn, Family, PoincareSection, Points, Section, SectionEnding, SectionError,
     compute_bifurcation_diagram, compute_section, compute_section_with_errors, drive_frequency, drive_period,
     folded,
 };
@@ -253,6 +253,21 @@ fn no_crossing_is_missed_or_doubled() {
     assert!((falling[1999] - (2002.0 * TAU + lag)).abs() < 1e-6);
     assert_eq!(times(Direction::Any).len(), 2000);
     assert!((times(Direction::Any)[1999] - 1001.0 * TAU - lag).abs() < 1e-6);
+}
+
+#[test]
+fn a_start_of_another_length_is_refused_with_and_without_errors() {
+    let (points, effort) = (Points { skipped: 0, recorded: 1 }, Effort::to_tolerance(1e-12));
+    for state in [&[][..], &[1.0], &[1.0, 0.0, 0.0]] {
+        for section in [FLASH, surface("x", Direction::Any)] {
+            let computed = [compute_section, compute_section_with_errors].map(|compute| {
+                let equation = "x'' = -x + cos(t)".parse().unwrap();
+                compute(&equation, &from(state), &section, points, &effort, &Quiet)
+            });
+            let is_refused = |result: &_| matches!(result, Err(SectionError::Integration(_)));
+            assert!(computed.iter().all(is_refused), "{state:?}: {computed:?}");
+        }
+    }
 }
 
 #[test]

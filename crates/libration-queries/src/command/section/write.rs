@@ -188,14 +188,13 @@ fn of_row<'a>() -> Fields<SectionRow<'a>> {
     ])
 }
 
-const OF_ERRORS: &str =
-    "estimate of the error, null where the motion is not determined; left out with --no-errors";
+const OF_ERRORS: &str = "estimate of the error, null where the motion is not determined; left out with --no-errors, and for a state of more than 64 numbers";
 
 /// The errors in CSV.
 const TIME_ERROR: description::DescriptionRow = (
     "time_error_s",
     "s",
-    "estimate of the error of the time, empty where the motion is not determined; left out with --no-errors",
+    "estimate of the error of the time, empty where the motion is not determined; left out with --no-errors, and for a state of more than 64 numbers",
 );
 const ERROR: description::DescriptionRow = ("NAME_error", "", "that of the column of this name");
 /// Number of digits of values in the table.
