@@ -71,7 +71,7 @@ impl Family<'_> {
         let state = self.state(unknowns);
         let duration = self.duration(space, unknowns, parameters)?;
         let (mut steps, end) = self.motion(state, parameters, [0.0, duration], tolerance).ok()?;
-        let defect = space.missed(&end, state, &self.signs);
+        let defect = space.missed(&end, state, &self.mirror);
         if !space.mirrored {
             return Some(Whole { steps, closing: defect.clone(), defect });
         }

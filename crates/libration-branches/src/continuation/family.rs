@@ -4,7 +4,7 @@ use super::drive_law::DriveLaw;
 use super::error::BranchError;
 use super::field::{Field, Rates, returned};
 use super::space::{Space, Symmetry};
-use super::symmetry::{has_partial_mirror, symmetry};
+use super::symmetry::{Mirror, has_partial_mirror, symmetry};
 use libration_motion::internals::periodic::{Flow, Variations, norm, norm_of_map};
 use libration_motion::taylor::{IntegrationError, OwnedStep, StateLayout};
 use libration_numbers::algebra::Doubles;
@@ -36,8 +36,7 @@ impl Beat {
 pub(super) struct Family<'w> {
     pub(super) layout: StateLayout,
     pub(super) symmetry: Option<Symmetry>,
-    /// The signs that the mirror image gives to the components of a state.
-    pub(super) signs: Vec<f64>,
+    pub(super) mirror: Mirror,
     beat: Beat,
     flow: Flow,
     /// The ranges of the parameters.
@@ -188,13 +187,14 @@ impl<'w> Family<'w> {
         let flow = Flow::new(equation, parameters, MOST_STEPS)?.for_many_steps();
         let scale = beat.law().map_or(1.0, |law| scale_of_drive(&flow.layout, flow.rates(), law, ranges));
         let (layout, ranges) = (flow.layout.clone(), ranges.to_vec());
-        Ok(Self { layout, symmetry: None, signs: vec![], beat, flow, ranges, scale, watch }.with_symmetry())
+        let (symmetry, mirror) = symmetry(&layout, flow.rates(), beat.law(), &ranges, scale);
+        Ok(Self { layout, symmetry, mirror, beat, flow, ranges, scale, watch })
     }
 
     /// The family with its symmetry, which is sought at motions of its scale.
     fn with_symmetry(mut self) -> Self {
         let Self { layout, flow, beat, ranges, .. } = &self;
-        (self.symmetry, self.signs) = symmetry(layout, flow.rates(), beat.law(), ranges, self.scale);
+        (self.symmetry, self.mirror) = symmetry(layout, flow.rates(), beat.law(), ranges, self.scale);
         self
     }
 
@@ -203,11 +203,6 @@ impl<'w> Family<'w> {
         let size = state.iter().map(|x| x.abs()).fold(0.0, f64::max);
         let is_open = self.scale.total_cmp(&1.0).is_eq() && is_of_other_units(size);
         if is_open { Self { scale: size, ..self }.with_symmetry() } else { self }
-    }
-
-    /// `true` if the only motion that is its own mirror image at all times is the equilibrium at zero.
-    pub(super) fn mirrors_all(&self) -> bool {
-        self.signs.iter().all(|sign| *sign < 0.0)
     }
 
     /// `true` if some mirror image without a shift in time maps a motion to itself and a deviation to its opposite; both are in scaled units.
@@ -286,7 +281,7 @@ impl<'w> Family<'w> {
     ) -> Option<Image> {
         let state = self.state(unknowns);
         let duration = self.duration(space, unknowns, parameters)?;
-        let sign = |component: usize| if space.mirrored { self.signs[component] } else { 1.0 };
+        let sign = |component: usize| if space.mirrored { self.mirror.sign(component) } else { 1.0 };
         let signed = |vector: Vec<f64>| {
             vector.into_iter().enumerate().map(|(component, x)| sign(component) * x).collect::<Vec<f64>>()
         };
@@ -294,7 +289,7 @@ impl<'w> Family<'w> {
         let Variations { end, by_start, by_parameters, rates: [_, rate] } = variations;
         let rate = signed(rate);
         let image = Image {
-            defect: space.missed(&end, state, &self.signs),
+            defect: space.missed(&end, state, &self.mirror),
             map: (0..)
                 .zip(by_start)
                 .map(|(component, row)| row.into_iter().map(|x| sign(component) * x).collect())

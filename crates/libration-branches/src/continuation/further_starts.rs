@@ -21,15 +21,16 @@ const LASTS: f64 = 1.0 + 1e-9;
 const SAME: f64 = 1e-6;
 
 impl Search<'_> {
-    /// The further motions with which branches begin at a value of the parameter, the attracting ones first. If the drive leaves the given start
-    /// at rest, as in parametric excitation, they are also searched with twice the period.
-    pub(super) fn further_starts(&self, value: f64) -> Vec<Start> {
+    /// The further motions with which branches begin at a value of the parameter, the attracting ones first, beside known motions of this size. If
+    /// the drive leaves the given start at rest, as in parametric excitation, they are also searched with twice the period.
+    pub(super) fn further_starts(&self, value: f64, known: f64) -> Vec<Start> {
         if !self.family.is_driven() || self.options.rotation.is_some() || self.family.watch.is_stopped() {
             return vec![];
         }
         let periods = self.options.drive_periods;
         let doubled = self.rests(value).then_some(2 * periods);
-        let reached = [periods].into_iter().chain(doubled).flat_map(|periods| self.reached(value, periods));
+        let numbers = [periods].into_iter().chain(doubled);
+        let reached = numbers.flat_map(|periods| self.reached(value, periods, known));
         let (lasting, mut others): (Vec<_>, Vec<_>) = reached.partition(|(_, largest)| *largest <= LASTS);
         let size = |(start, _): &(Start, f64)| norm(&start.unknowns);
         others.sort_by(|a, b| size(a).total_cmp(&size(b)));
@@ -37,9 +38,9 @@ impl Search<'_> {
         lasting.into_iter().chain(others).map(|(start, _)| start).collect()
     }
 
-    /// The state at which motions are searched first.
+    /// The state at which motions are searched first: without a given one, zero or the centre of the mirror.
     pub(super) fn given(&self) -> Vec<f64> {
-        self.options.start.clone().unwrap_or_else(|| vec![0.0; self.family.layout.numbers()])
+        self.options.start.clone().unwrap_or_else(|| self.family.mirror.rest())
     }
 
     /// `true` if the given state does not move at two times.
@@ -49,7 +50,7 @@ impl Search<'_> {
     }
 
     /// The motions to which Newton's method leads from the estimates, each with the magnitude of its largest multiplier.
-    fn reached(&self, value: f64, drive_periods: u32) -> Vec<(Start, f64)> {
+    fn reached(&self, value: f64, drive_periods: u32, known: f64) -> Vec<(Start, f64)> {
         /// Multiple of the drive frequency up to which estimates are refined; 5 and 7 led to no more of the motions of 160 double wells.
         const FINE: u32 = 3;
         /// Most centres: the given one, and two wells.
@@ -60,7 +61,7 @@ impl Search<'_> {
         let mut centres = vec![self.given()[..self.family.layout.coordinates()].to_vec()];
         let (mut motions, mut done): (Vec<(Start, f64)>, usize) = (vec![], 0);
         while done < centres.len().min(MOST_CENTRES) {
-            for estimate in coarse.motions(&centres[done], &self.turns) {
+            for estimate in coarse.motions(&centres[done], &self.turns, known) {
                 let Some(estimate) = fine.refined(estimate) else { continue };
                 if self.family.watch.is_stopped() {
                     return motions;

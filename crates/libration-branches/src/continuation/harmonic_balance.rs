@@ -2,8 +2,9 @@
 //!
 //! # Method
 //! Each coordinate is a mean and a few harmonics. The projections of the equations of motion on the same functions are solved by Newton's method
-//! from motions of one harmonic, with amplitudes over six decades (of angles up to half a turn) and four phases, and from constants. Near a fold
-//! the balance of one harmonic may have no solution where one of more harmonics has: a start whose changes stay small begins the latter too.
+//! from motions of one harmonic, with four phases and amplitudes over three decades on both sides of 1, and farther with known motions of another
+//! size, whatever the unit of length (of angles up to half a turn), and from constants. Near a fold the balance of one harmonic may have no solution
+//! where one of more harmonics has: a start whose changes stay small begins the latter too.
 
 use super::family::Family;
 use super::turns::Turns;
@@ -116,12 +117,12 @@ impl<'f> HarmonicBalance<'f> {
         self.samples[0].functions[0].len()
     }
 
-    /// The different motions that are found about some centre, or from there with whole turns of angles.
-    pub(super) fn motions(&mut self, centre: &[f64], turns: &Turns) -> Vec<Estimate> {
+    /// The different motions that are found about some centre, or from there with whole turns of angles, beside known ones of this size.
+    pub(super) fn motions(&mut self, centre: &[f64], turns: &Turns, known: f64) -> Vec<Estimate> {
         /// Largest difference of two results for one motion, relative to its size, if both have settled and if not.
         const SAME: [f64; 2] = [1e-2, 0.1];
         let mut estimates: Vec<Estimate> = vec![];
-        for start in self.starts(centre, turns) {
+        for start in self.starts(centre, turns, known) {
             if self.family.watch.is_stopped() {
                 break;
             }
@@ -161,12 +162,18 @@ impl<'f> HarmonicBalance<'f> {
     }
 
     /// The motions with which Newton's method begins: constants, and motions of the first harmonic.
-    fn starts(&self, centre: &[f64], turns: &Turns) -> Vec<Vec<f64>> {
+    fn starts(&self, centre: &[f64], turns: &Turns, known: f64) -> Vec<Vec<f64>> {
         /// Amplitudes of angles, in turns.
         const TURNS: [f64; 7] = [0.03, 0.1, 0.18, 0.26, 0.34, 0.42, 0.48];
         /// Whole turns between coordinates of a group, one of which turned first.
         const TURNS_APART: [f64; 3] = [0.5, 1.0, 2.0];
-        let decades = (-6..=6).map(|half| libm::exp10(0.5 * f64::from(half)));
+        /// Half decades on either side of 1; and one decade above known motions, beyond which those of angles in degrees repeat themselves.
+        const HALF_DECADES: f64 = 6.0;
+        const ABOVE: f64 = 2.0;
+        let size = if known.is_normal() { libm::round(2.0 * libm::log10(known)) } else { 0.0 };
+        let [least, most] = [size.min(0.0) - HALF_DECADES, HALF_DECADES.max(size + ABOVE)];
+        let halves = std::iter::successors(Some(least), |half| Some(half + 1.0));
+        let decades = halves.take_while(|half| *half <= most).map(|half| libm::exp10(0.5 * half));
         let mut starts = vec![];
         for shape in shapes(self.family.layout.coordinates()) {
             let any = |is: &dyn Fn(usize) -> bool| {
@@ -204,22 +211,28 @@ impl<'f> HarmonicBalance<'f> {
 
     /// The motion to which Newton's method leads, and `true` if it has settled; `None` if its changes stay large.
     fn solved(&mut self, mut motion: Vec<f64>) -> Option<(Vec<f64>, bool)> {
-        const MOST_ROUNDS: usize = 8;
+        const MOST_ROUNDS: [usize; 2] = [8, 12];
         /// Round from which the changes have to be small. From a start far above all motions of a cubic spring a round takes away only a third of the
-        /// amplitude: such a start is given up, for those at smaller amplitudes.
-        const FROM_ROUND: usize = 3;
+        /// amplitude: such a start is given up, for those at smaller amplitudes. In first order velocities are coordinates, which the start does not
+        /// know: with 3 rounds a double well of first order has none of the motions in its wells.
+        const FROM_ROUND: [usize; 2] = [3, 5];
         const SMALL: f64 = 0.3;
         /// Largest change in a round, relative to the size of the motion.
         const LARGEST_CHANGE: f64 = 1.0;
         /// Relative change after which the next one is about as large as the differences to further harmonics or smaller.
         const CLOSE: f64 = 1e-3;
+        let layout = &self.family.layout;
+        let has_first_order =
+            (0..layout.coordinates()).any(|coordinate| layout.velocity(coordinate).is_none());
+        let [most_rounds, from_round] =
+            [MOST_ROUNDS, FROM_ROUND].map(|rounds| rounds[usize::from(has_first_order)]);
         let mut settled = false;
-        for round in 0..MOST_ROUNDS {
+        for round in 0..most_rounds {
             let size = norm(&motion).max(f64::MIN_POSITIVE);
             let (missed, matrix) = self.equations(&motion, size)?;
             let change = solve(&Doubles, |x| x.abs(), &matrix, &missed)?;
             let relative = norm(&change) / size;
-            if !relative.is_finite() || (round >= FROM_ROUND && relative > SMALL) {
+            if !relative.is_finite() || (round >= from_round && relative > SMALL) {
                 return None;
             }
             let part = if relative > LARGEST_CHANGE { LARGEST_CHANGE / relative } else { 1.0 };

@@ -7,6 +7,7 @@ use super::point::BranchPoint;
 use super::space::Space;
 use super::special::{SpecialKind, SpecialPoint};
 use libration_motion::internals::periodic::norm;
+use libration_numbers::algebra::Complex;
 use std::ops::Range;
 
 /// A fold at which a stable motion ends.
@@ -31,12 +32,17 @@ pub(super) fn jumps<'a>(
         let value = fold.point.parameter;
         let [first, last] = at_the_fold(points, fold);
         let neighbours = [points.get(first.checked_sub(1)?)?, points.get(last)?];
-        let left = neighbours.into_iter().find(|point| point.is_stable())?;
+        let side = neighbours.into_iter().find(|point| point.is_stable());
+        let left = side.or_else(|| others_attract(&fold.point).then_some(neighbours[0]))?;
         let pairs = branches.iter().enumerate().flat_map(|(index, branch)| {
             let fold = if index == number { first..last } else { 0..0 };
             stable_stretches(branch, value, fold).map(|pair| (branch.space, pair))
         });
-        let to = pairs.map(|(space, pair)| landing(&corrector(space), pair, value, width));
+        let to = pairs.filter_map(|(space, pair)| {
+            let landing = landing(&corrector(space), pair, value, width);
+            let is_at_value = landing.parameter.to_bits() == value.to_bits();
+            (is_at_value || pair.iter().all(|point| point.is_stable())).then_some(landing)
+        });
         Some(Jump {
             rising: left.parameter < value,
             from: fold.point.clone(),
@@ -48,6 +54,19 @@ pub(super) fn jumps<'a>(
         folds.map(move |fold| (number, fold))
     });
     folds.filter_map(|(number, fold)| jump(number, fold)).collect()
+}
+
+/// Returns `true` if all multipliers of a fold but its own are inside the unit circle: on one side of it the motion is stable, even if the branch
+/// has no point there, as next to a period doubling.
+fn others_attract(fold: &BranchPoint) -> bool {
+    let errors = fold.multiplier_errors.iter().copied();
+    let counted =
+        fold.multipliers.iter().copied().zip(errors).filter(|along| *along != (Complex::from(1.0), 0.0));
+    let mut multipliers: Vec<(Complex, f64)> = counted.collect();
+    multipliers.sort_by(|(a, _), (b, _)| {
+        (*a - Complex::from(1.0)).abs().total_cmp(&(*b - Complex::from(1.0)).abs())
+    });
+    multipliers.iter().skip(1).all(|(multiplier, error)| multiplier.abs() + error < 1.0)
 }
 
 /// The places of the points whose parameter is that of the fold within its error: the first, and the one after the last. Along canards there are
@@ -63,7 +82,7 @@ fn at_the_fold(points: &[BranchPoint], fold: &SpecialPoint) -> [usize; 2] {
     [before.len() - count(&mut before.iter().rev()), before.len() + count(&mut after.iter())]
 }
 
-/// Neighbouring points on stable parts of a branch that enclose a value, but for those at a fold there.
+/// Neighbouring points of a branch that enclose a value, one of them stable, but for those at a fold there.
 fn stable_stretches(
     branch: &Branch,
     value: f64,
@@ -72,7 +91,7 @@ fn stable_stretches(
     let pairs = branch.points.iter().zip(branch.points.iter().skip(1)).map(|(a, b)| [a, b]);
     let others = pairs.enumerate().filter(move |(index, _)| index + 1 < fold.start || fold.end <= *index);
     others.map(|(_, pair)| pair).filter(move |[a, b]| {
-        a.is_stable() && b.is_stable() && (a.parameter < value) != (b.parameter < value)
+        (a.is_stable() || b.is_stable()) && (a.parameter < value) != (b.parameter < value)
     })
 }
 

@@ -48,6 +48,7 @@ mod field;
 mod space;
 mod turns;
 mod units;
+mod centre;
 mod symmetry;
 mod family;
 mod corrector;

@@ -157,7 +157,7 @@ impl Search<'_> {
         let halves = 2 * start.space.drive_periods();
         let half = 0.5 * self.family.drive_period(&[value])?;
         for number in 0..halves {
-            let mirrored = || state.iter().zip(&self.family.signs).map(|(x, sign)| sign * x).collect();
+            let mirrored = || self.family.mirror.image_of(&state);
             let is_whole = number % 2 == 0;
             match self.family.symmetry {
                 Some(Symmetry::Unshifted) if is_whole => copies.push(mirrored()),

@@ -33,8 +33,8 @@ impl Family<'_> {
             let (time, is_mirrored) =
                 if space.mirrored && time >= half { (time - half, true) } else { (time, false) };
             let step = steps.iter().find(|owned| time <= owned.step().end())?.step();
-            let sign = |number: usize| if is_mirrored { self.signs[number] } else { 1.0 };
-            Some(step.state_at(time).into_iter().enumerate().map(|(number, x)| sign(number) * x).collect())
+            let state = step.state_at(time);
+            Some(if is_mirrored { self.mirror.image_of(&state) } else { state })
         };
         let turns = |number: usize| TAU * f64::from(space.turns_of(number));
         let shift: Vec<f64> = (0..self.layout.numbers()).map(turns).collect();

@@ -6,6 +6,7 @@
 use super::drive_law::DriveLaw;
 use super::error::BranchError;
 use super::space::Space;
+use super::symmetry::Mirror;
 use libration_motion::internals::periodic::{precise_series, precise_step, precise_sum};
 use libration_motion::taylor::{StateLayout, with_sensitivities};
 use libration_numbers::algebra::{BigFloat, Floats, Ring};
@@ -25,8 +26,8 @@ pub(super) struct PreciseFlow<'w> {
     /// The rates of the motion and of its derivatives, as functions of the state, the time and the parameter.
     tape: Tape,
     law: DriveLaw,
-    /// The signs that the mirror image gives to the components of a state.
-    signs: &'w [f64],
+    /// The mirror image about zero.
+    mirror: &'w Mirror,
     watch: &'w Watch<'w>,
 }
 
@@ -42,7 +43,7 @@ impl<'w> PreciseFlow<'w> {
     pub(super) fn new(
         equation: &Equation,
         parameter: &str,
-        signs: &'w [f64],
+        mirror: &'w Mirror,
         watch: &'w Watch<'w>,
     ) -> Result<Self, BranchError> {
         let layout = StateLayout::new(equation);
@@ -51,7 +52,7 @@ impl<'w> PreciseFlow<'w> {
         let mut inputs = all.symbols(with_derivatives.variables());
         inputs.extend([Symbol::plain("t"), Symbol::plain(parameter)]);
         let tape = Tape::new(&with_derivatives.derivatives().iter().collect::<Vec<_>>(), &inputs)?;
-        Ok(Self { layout, all, tape, law: DriveLaw::new(equation, &[parameter])?, signs, watch })
+        Ok(Self { layout, all, tape, law: DriveLaw::new(equation, &[parameter])?, mirror, watch })
     }
 
     /// The image of a state, by series to an order; `None` if the motion cannot be integrated.
@@ -73,7 +74,7 @@ impl<'w> PreciseFlow<'w> {
         let halves = i64::from(space.half_periods);
         let duration = ring.times_integer(&self.law.precise_period(ring, parameter)?, halves).halved();
         let end = self.end(ring, order, now, [&duration, parameter])?;
-        let signed = |number: usize, copy: usize| match space.mirrored && self.signs[number] < 0.0 {
+        let signed = |number: usize, copy: usize| match space.mirrored && self.mirror.sign(number) < 0.0 {
             true => ring.negate(&end[address(number, copy)]),
             false => end[address(number, copy)].clone(),
         };

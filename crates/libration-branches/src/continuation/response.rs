@@ -14,7 +14,7 @@ use super::space::Space;
 use super::special::Meeting;
 use super::switching::Leaving;
 use super::turns::Turns;
-use super::units::LEAST;
+use super::units::{LEAST, largest_half_range};
 use libration_numbers::expression::Equation;
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::{Progress, Stage};
@@ -176,7 +176,9 @@ impl Search<'_> {
         self.follow_all(&mut followed);
         // A further motion may lie on a secondary branch.
         for begin_at in beginnings {
-            let further = self.further_starts(begin_at.0);
+            let points = followed.branches.iter().flat_map(|branch| &branch.points);
+            let largest = points.map(largest_half_range).fold(0.0, f64::max);
+            let further = self.further_starts(begin_at.0, largest);
             if !further.is_empty() {
                 missing.retain(|(value, _)| value.to_bits() != begin_at.0.to_bits());
             }

@@ -52,7 +52,8 @@ impl Search<'_> {
         let far = difference * sizes.fold(0.0, f64::max);
         let is_near = |a: [f64; 2], b: [f64; 2]| a.iter().zip(b).all(|(a, b)| (a - b).abs() <= far);
         let mirrored = |number: usize, [low, high]: [f64; 2]| {
-            if family.signs[number] < 0.0 { [-high, -low] } else { [low, high] }
+            let [a, b] = [low, high].map(|end| family.mirror.image(number, end));
+            [a.min(b), a.max(b)]
         };
         let pairs = || ranges.iter().copied().zip(point.ranges.iter().copied()).enumerate();
         pairs().all(|(_, (range, other))| is_near(range, other))

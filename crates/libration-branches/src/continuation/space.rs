@@ -1,5 +1,6 @@
 //! Spaces of periodic motions, each of which is followed separately.
 
+use super::symmetry::Mirror;
 use std::f64::consts::TAU;
 
 /// Period of a motion, in halves of the drive's period, and its symmetry.
@@ -78,11 +79,13 @@ impl Space {
     }
 
     /// Difference between the end, or its mirror image, and the start, without the turns.
-    pub(super) fn missed(self, end: &[f64], start: &[f64], signs: &[f64]) -> Vec<f64> {
-        let sign = |component: usize| if self.mirrored { signs[component] } else { 1.0 };
+    pub(super) fn missed(self, end: &[f64], start: &[f64], mirror: &Mirror) -> Vec<f64> {
+        let image = |component: usize, x: f64| if self.mirrored { mirror.image(component, x) } else { x };
         let pairs = end.iter().zip(start).enumerate();
         pairs
-            .map(|(number, (end, start))| sign(number) * end - start - TAU * f64::from(self.turns_of(number)))
+            .map(|(number, (end, start))| {
+                image(number, *end) - start - TAU * f64::from(self.turns_of(number))
+            })
             .collect()
     }
 }

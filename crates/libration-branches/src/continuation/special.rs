@@ -157,7 +157,7 @@ impl Stretch<'_> {
         let Corrector { family, space, .. } = self.corrector;
         let turns = Test::Fold.changes(self.ends[0], self.ends[1]);
         let may_be_rest = match family.is_driven() {
-            true => space.mirrored && family.mirrors_all() && self.size(self.ends[1].position()) < 1.0,
+            true => space.mirrored && self.distance_from_rest(self.ends[1].position()) < 1.0,
             false => self.speed(self.ends[1].position()).is_some_and(|speed| speed < 1.0),
         };
         turns && (may_be_rest || !space.within(family.symmetry).is_empty())
@@ -170,10 +170,11 @@ impl Stretch<'_> {
         Test::Fold.changes(a, b) && !Test::Branching.changes(a, b)
     }
 
-    /// The size of a state in scaled units.
-    fn size(&self, position: &[f64]) -> f64 {
-        let state = self.corrector.family.state(position).iter().zip(self.units);
-        norm(&state.map(|(x, unit)| x / unit).collect::<Vec<_>>())
+    /// The distance of a state from the centre of the mirror, in scaled units; infinite if other states are their own mirror images too.
+    fn distance_from_rest(&self, position: &[f64]) -> f64 {
+        let Corrector { family, .. } = self.corrector;
+        let Some(rest) = family.mirror.fixed_state() else { return f64::INFINITY };
+        norm(&difference(family.state(position), rest, self.units))
     }
 
     /// The distance in units that a state moves in the time of one radian of phase, if no drive sets the period.
@@ -213,9 +214,9 @@ impl Stretch<'_> {
         let Corrector { family, space, .. } = self.corrector;
         let meeting = |space: Space, unknowns: Vec<f64>| Meeting { parameter: *parameter, unknowns, space };
         if space.mirrored {
-            // The equilibrium.
-            return (family.mirrors_all() && self.size(&turn) < REST)
-                .then(|| meeting(Space::of_periods(1), vec![0.0; unknowns.len()]));
+            let mut rest = family.mirror.fixed_state()?.to_vec();
+            rest.resize(unknowns.len(), 0.0);
+            return (self.distance_from_rest(&turn) < REST).then(|| meeting(Space::of_periods(1), rest));
         }
         Some(meeting(self.smaller_space(&turn, SAME)?, unknowns.to_vec()))
     }

@@ -1,5 +1,6 @@
 //! Test whether the mirror image of a motion is a motion.
 
+use super::centre::centres;
 use super::drive_law::DriveLaw;
 use super::space::Symmetry;
 use libration_kernels::elementary::count;
@@ -15,33 +16,80 @@ const TRIALS: u32 = 12;
 /// kink are tested. A force without kinks is analytic: a symmetry near one state holds everywhere.
 const SCALES: [i32; 2] = [-60, 60];
 
-/// The symmetry of a system, and the signs that its mirror image gives to the components of a state.
+/// The mirror image of states: some components change their sign, counted from a centre.
+#[derive(Clone, Debug)]
+pub(super) struct Mirror {
+    signs: Vec<f64>,
+    centre: Vec<f64>,
+}
+
+impl Mirror {
+    /// The sign that the image gives to deviations of a component.
+    pub(super) fn sign(&self, component: usize) -> f64 {
+        self.signs[component]
+    }
+
+    /// The image of a value of a component.
+    pub(super) fn image(&self, component: usize, value: f64) -> f64 {
+        let sign = self.signs[component];
+        sign * value + (1.0 - sign) * self.centre[component]
+    }
+
+    /// The image of a state.
+    pub(super) fn image_of(&self, state: &[f64]) -> Vec<f64> {
+        state.iter().enumerate().map(|(component, value)| self.image(component, *value)).collect()
+    }
+
+    /// The distances of the components of a state from the centre.
+    pub(super) fn from_centre(&self, state: &[f64]) -> Vec<f64> {
+        state.iter().zip(&self.centre).map(|(value, centre)| value - centre).collect()
+    }
+
+    /// The equilibrium that is the nearest to zero and its own mirror image.
+    pub(super) fn rest(&self) -> Vec<f64> {
+        let at_centre = |(sign, centre): (&f64, &f64)| if *sign < 0.0 { *centre } else { 0.0 };
+        self.signs.iter().zip(&self.centre).map(at_centre).collect()
+    }
+
+    /// The centre: the only state that is its own mirror image at all times, if the image changes all components.
+    pub(super) fn fixed_state(&self) -> Option<&[f64]> {
+        self.signs.iter().all(|sign| *sign < 0.0).then_some(&self.centre)
+    }
+
+    /// Returns `true` if the centre is zero.
+    pub(super) fn is_about_zero(&self) -> bool {
+        self.centre.iter().all(|x| *x == 0.0)
+    }
+}
+
+/// The symmetry of a system, and its mirror image.
 ///
-/// F(S·x, t + τ) = S·F(x, t) for all states, with a diagonal matrix S of signs and a shift τ of zero or half a period. This is a property of the
-/// equation, not of some of its orbits. S changes all signs or some of them, as in (x, y, z) → (−x, −y, z) for the Lorenz system; with a drive,
-/// only some signs may change if τ is half a period. Without a drive the period is counted from one maximum of the first coordinate to the next:
-/// if S keeps its sign, the mirror image comes after whole periods, otherwise after odd numbers of half periods. The values of both sides are
-/// compared at states of all sizes; a difference below the rounding of the largest intermediate value is not detected.
+/// F(c + S·x, t + τ) = S·F(c + x, t) for all states, with a centre c, a diagonal matrix S of signs and a shift τ of zero or half a period. This is a
+/// property of the equation, not of some of its orbits. S changes all signs or some of them, as in (x, y, z) → (−x, −y, z) for the Lorenz system;
+/// with a drive, only some signs may change if τ is half a period. Without a drive the period is counted from one maximum of the first coordinate
+/// to the next: if S keeps its sign, the mirror image comes after whole periods, otherwise after odd numbers of half periods. The values of
+/// both sides are compared at states of all sizes; a difference below the rounding of the largest intermediate value is not detected. The centre
+/// is zero, or else one of those in `centre.rs`.
 pub(super) fn symmetry(
     layout: &StateLayout,
     rates: &Tape,
     law: Option<&DriveLaw>,
     ranges: &[[f64; 2]],
     scale: f64,
-) -> (Option<Symmetry>, Vec<f64>) {
-    let equation = Trial { layout, rates, law, ranges, scale };
-    let coordinates = layout.coordinates();
-    let all = (Symmetry::Unshifted, vec![-1.0; coordinates]);
-    let of_mirror = |mirror: Vec<f64>| match law {
-        None if mirror[0] > 0.0 => (Symmetry::Unshifted, mirror),
-        _ => (Symmetry::HalfPeriod, mirror),
+) -> (Option<Symmetry>, Mirror) {
+    let zero = vec![0.0; layout.coordinates()];
+    let middle: Vec<f64> = ranges.iter().map(|[low, high]| f64::midpoint(*low, *high)).collect();
+    let period = law.map_or(Some(1.0), |law| law.period(&middle).map(|(period, _)| period.abs()));
+    let others = || period.map_or(vec![], |period| centres(layout, rates, period, &middle));
+    let about = |centre: Vec<f64>| {
+        let equation = Trial { layout, rates, law, ranges, scale, centre: &centre };
+        let (symmetry, signs) = equation.symmetry()?;
+        let (signs, centre) = (equation.of_state(&signs), layout.arrange(centre.iter().copied(), |_| 0.0));
+        Some((Some(symmetry), Mirror { signs, centre }))
     };
-    let candidates = law.map(|_| all).into_iter().chain(mirrors(coordinates).map(of_mirror));
-    let shift = |symmetry: &Symmetry| if *symmetry == Symmetry::HalfPeriod { 0.5 } else { 0.0 };
-    match candidates.into_iter().find(|(symmetry, mirror)| equation.has(shift(symmetry), mirror)) {
-        Some((symmetry, mirror)) => (Some(symmetry), equation.of_state(&mirror)),
-        None => (None, vec![1.0; layout.numbers()]),
-    }
+    let numbers = layout.numbers();
+    let none = || (None, Mirror { signs: vec![1.0; numbers], centre: vec![0.0; numbers] });
+    about(zero).or_else(|| others().into_iter().find_map(about)).unwrap_or_else(none)
 }
 
 /// `true` if the equation has a mirror image without a shift in time that changes these components of a state and keeps the others.
@@ -53,7 +101,8 @@ pub(super) fn has_partial_mirror(
     scale: f64,
     [changed, kept]: [&[bool]; 2],
 ) -> bool {
-    let equation = Trial { layout, rates, law, ranges, scale };
+    let centre = &vec![0.0; layout.coordinates()];
+    let equation = Trial { layout, rates, law, ranges, scale, centre };
     let fits = |mirror: &Vec<f64>| {
         let signs = equation.of_state(mirror);
         let agrees =
@@ -86,9 +135,24 @@ struct Trial<'a> {
     ranges: &'a [[f64; 2]],
     /// Another size of states that are tried: at that of the motions no other term hides the drive.
     scale: f64,
+    /// The coordinates about which mirror images are tried.
+    centre: &'a [f64],
 }
 
 impl Trial<'_> {
+    /// The symmetry about the centre, if there is one, with the signs of the coordinates.
+    fn symmetry(&self) -> Option<(Symmetry, Vec<f64>)> {
+        let coordinates = self.layout.coordinates();
+        let all = (Symmetry::Unshifted, vec![-1.0; coordinates]);
+        let of_mirror = |mirror: Vec<f64>| match self.law {
+            None if mirror[0] > 0.0 => (Symmetry::Unshifted, mirror),
+            _ => (Symmetry::HalfPeriod, mirror),
+        };
+        let mut candidates = self.law.map(|_| all).into_iter().chain(mirrors(coordinates).map(of_mirror));
+        let shift = |symmetry: &Symmetry| if *symmetry == Symmetry::HalfPeriod { 0.5 } else { 0.0 };
+        candidates.find(|(symmetry, mirror)| self.has(shift(symmetry), mirror))
+    }
+
     fn scales(&self) -> impl Iterator<Item = f64> + use<> {
         let kink = |operation: &Operation| matches!(operation, Operation::Abs(_) | Operation::Sign(_));
         let operations = self.rates.operations().iter().enumerate();
@@ -131,9 +195,12 @@ impl Trial<'_> {
         let pace = self.law.map_or(1.0, |_| TAU / period.abs());
         let units = self.layout.arrange(vec![1.0; self.layout.coordinates()], |_| pace);
         let state: Vec<f64> = (10..).zip(units).map(|(k, unit)| scale * unit * drawn(k)).collect();
-        let (values, size) = self.values(state.iter().copied(), time, &parameters)?;
-        let image = state.iter().zip(self.of_state(mirror)).map(|(x, sign)| sign * x);
-        let (mirrored, other) = self.values(image, time + shift * period, &parameters)?;
+        let centre = self.layout.arrange(self.centre.iter().copied(), |_| 0.0);
+        let from_centre = |(x, centre): (f64, &f64)| centre + x;
+        let here = state.iter().copied().zip(&centre).map(from_centre);
+        let (values, size) = self.values(here, time, &parameters)?;
+        let image = state.iter().zip(self.of_state(mirror)).map(|(x, sign)| sign * x).zip(&centre);
+        let (mirrored, other) = self.values(image.map(from_centre), time + shift * period, &parameters)?;
         let rounding = ROUNDINGS * f64::EPSILON * count(self.rates.operations().len()) * size.max(other);
         let differences = values.iter().zip(&mirrored).zip(mirror).map(|((a, b), sign)| (sign * a - b).abs());
         Some(differences.fold(0.0, f64::max) <= rounding)

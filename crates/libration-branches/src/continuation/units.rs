@@ -6,7 +6,8 @@ use super::point::BranchPoint;
 use libration_motion::internals::periodic::norm;
 use std::f64::consts::TAU;
 
-fn largest_half_range(point: &BranchPoint) -> f64 {
+/// The largest of the half-ranges of the coordinates.
+pub(super) fn largest_half_range(point: &BranchPoint) -> f64 {
     point.ranges.iter().map(|[low, high]| 0.5 * (high - low)).fold(0.0, f64::max)
 }
 

@@ -4,24 +4,79 @@ use crate::typed::equation;
 use libration::continuation::{Response, ResponseOptions};
 use libration::progress::Quiet;
 
-/// The special points over a range, in the order of the parameter, and the number of branches.
-fn special_points(text: &str, [from, to]: [f64; 2]) -> (Vec<(String, f64, f64)>, usize) {
-    let options = ResponseOptions { generations: 1, ..ResponseOptions::default() };
-    let response = Response::over(&equation(text), "w", [from, to], &options, &Quiet).unwrap();
-    let special = response.branches.iter().flat_map(|branch| &branch.special);
-    let mut special: Vec<_> =
-        special.map(|special| (special.kind.to_string(), special.point.parameter, special.error)).collect();
-    special.sort_by(|a, b| a.1.total_cmp(&b.1));
-    (special, response.branches.len())
+/// A response as it is compared.
+#[derive(Debug)]
+struct Outline {
+    /// Kind, parameter and error of the special points, in the order of the parameter.
+    special: Vec<(String, f64, f64)>,
+    /// Direction, parameter and number of motions after it of each jump, in the order of the parameter.
+    jumps: Vec<(bool, f64, usize)>,
+    branches: usize,
+}
+
+impl Outline {
+    fn new(text: &str, [from, to]: [f64; 2]) -> Self {
+        let options = ResponseOptions { generations: 1, ..ResponseOptions::default() };
+        let response = Response::over(&equation(text), "w", [from, to], &options, &Quiet).unwrap();
+        let special = response.branches.iter().flat_map(|branch| &branch.special);
+        let mut special: Vec<_> = special
+            .map(|special| (special.kind.to_string(), special.point.parameter, special.error))
+            .collect();
+        special.sort_by(|a, b| a.1.total_cmp(&b.1));
+        let jumps = response.jumps.iter().map(|jump| (jump.rising, jump.from.parameter, jump.to.len()));
+        let mut jumps: Vec<_> = jumps.collect();
+        jumps.sort_by(|a, b| a.1.total_cmp(&b.1));
+        Self { special, jumps, branches: response.branches.len() }
+    }
+
+    fn assert_same(&self, other: &Self, forms: &str) {
+        assert_eq!(self.branches, other.branches, "{forms}");
+        assert_eq!(self.special.len(), other.special.len(), "{forms}: {self:?}; {other:?}");
+        for ((kind, at, error), (other_kind, other, other_error)) in self.special.iter().zip(&other.special) {
+            assert_eq!(kind, other_kind, "{forms} at {at}, {other}");
+            assert!((at - other).abs() <= error + other_error, "{forms}: {kind} at {at} and {other}");
+        }
+        assert_eq!(self.jumps.len(), other.jumps.len(), "{forms}: {self:?}; {other:?}");
+        for ((rising, at, after), (other_rising, other, other_after)) in self.jumps.iter().zip(&other.jumps) {
+            assert_eq!((rising, after), (other_rising, other_after), "{forms}: jumps at {at} and {other}");
+            assert!((at - other).abs() < 1e-12, "{forms}: jumps at {at} and {other}");
+        }
+    }
 }
 
 fn assert_same(a: &str, b: &str, range: [f64; 2]) {
-    let [(first, branches), (second, others)] = [a, b].map(|text| special_points(text, range));
-    assert_eq!(branches, others, "{a}, {b}");
-    assert_eq!(first.len(), second.len(), "{a}: {first:?}; {b}: {second:?}");
-    for ((kind, at, error), (other_kind, other, other_error)) in first.into_iter().zip(second) {
-        assert_eq!(kind, other_kind, "{a}, {b} at {at}, {other}");
-        assert!((at - other).abs() <= error + other_error, "{a}, {b}: {kind} at {at} and {other}");
+    let [first, second] = [a, b].map(|text| Outline::new(text, range));
+    first.assert_same(&second, &format!("{a}, {b}"));
+}
+
+/// Springs, a double well and a pendulum in millimetres and kilometres, about another centre than zero, in first order and with another phase.
+#[test]
+fn units_and_centres_change_neither_branches_nor_jumps() {
+    type Force = fn(&str) -> String;
+    let forces: [(Force, f64, f64); 5] = [
+        (|x| format!("2.585*{x}^3 - {x}"), 0.13, 1.071),
+        (|x| format!("{x} + 1.468*max({x} - 0.3, 0) + 1.468*min({x} + 0.3, 0)"), 0.035, 1.019),
+        (|x| format!("sin({x})"), 0.062, 1.192),
+        (|x| format!("{x} + 0.369*{x}^3"), 0.083, 0.534),
+        (|x| format!("2.852*{x}^3 - {x}"), 0.153, 0.352),
+    ];
+    for (force, damping, amplitude) in forces {
+        let driven = |force: String, drive: &str| format!("x'' = -{damping}*x' - ({force}) + {drive}");
+        let [cosine, sine] = ["cos", "sin"].map(|wave| format!("{amplitude}*{wave}(w*t)"));
+        let plain = Outline::new(&driven(force("x"), &cosine), [0.5, 2.2]);
+        let in_units = |unit: &str| {
+            driven(format!("{unit}*({})", force(&format!("(x/{unit})"))), &format!("{unit}*{cosine}"))
+        };
+        let about = |centre: &str| driven(force(&format!("(x - {centre})")), &cosine);
+        let first_order = format!("x' = v; v' = -{damping}*v - ({}) + {cosine}", force("x"));
+        let mut forms = vec![about("0.73"), about("(-12.5)"), driven(force("x"), &sine), first_order];
+        // Angles have no other units.
+        if !force("x").starts_with("sin") {
+            forms.extend(["1000", "(1/1000)"].map(in_units));
+        }
+        for form in forms {
+            plain.assert_same(&Outline::new(&form, [0.5, 2.2]), &form);
+        }
     }
 }
 
