@@ -83,11 +83,10 @@ impl MeanForces<'_> {
             let further = [time * self.period].into_iter().chain(self.parameters.iter().copied());
             let inputs: Vec<f64> = at_rest.iter().copied().chain(further).collect();
             let jet = Jet::new(&Doubles, self.rates, &inputs).map_err(|_| NewtonError::NoValue)?;
-            for j in 0..n {
-                let gains = jet.gains(j).map_err(|_| NewtonError::NoSlope)?;
-                for (i, slot) in self.rates.results()[..n].iter().enumerate() {
-                    slopes[i][j] += gains[*slot];
-                }
+            let gains: Result<Vec<Vec<f64>>, _> = (0..n).map(|j| jet.gains(j)).collect();
+            let gains = gains.map_err(|_| NewtonError::NoSlope)?;
+            for (row, slot) in slopes.iter_mut().zip(self.rates.results()) {
+                row.iter_mut().zip(&gains).for_each(|(slope, gain)| *slope += gain[*slot]);
             }
             sums.iter_mut().enumerate().for_each(|(i, sum)| *sum -= jet.result(i)[0]);
         }

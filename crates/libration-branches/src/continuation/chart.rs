@@ -23,7 +23,7 @@ use std::f64::consts::TAU;
 /// Options of a stability chart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChartOptions {
-    /// The equilibrium, or the initial guess of driven motions; zero in all components if there is none.
+    /// The equilibrium, or the initial guess of driven motions; if there is none, zero, or the state about which the equations are symmetric.
     pub start: Option<Vec<f64>>,
     /// Number of drive periods in the period of the motions.
     pub drive_periods: u32,
@@ -104,7 +104,7 @@ impl StabilityChart {
         watch.begin(Stage::Whole, None);
         let ranges = ranges.map(|[from, to]| [from.min(to), from.max(to)]);
         let family = Family::new(equation, &parameters, &ranges, watch)?;
-        let start = options.start.clone().unwrap_or_else(|| vec![0.0; family.layout.numbers()]);
+        let start = options.start.clone().unwrap_or_else(|| family.mirror.rest());
         let survey = Survey { equation, parameters, family: &family, ranges, options, start: &start };
         if let Some((scaled, units)) =
             survey.units().and_then(|units| Some((units.equation(equation)?, units)))

@@ -6,9 +6,9 @@ use super::space::Rotation;
 /// Options of a response.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ResponseOptions {
-    /// The initial guess of a motion at each end of the range; zero in all components if there is none. With a drive, further motions are
-    /// searched about its coordinates from estimates by harmonic balance. Without a drive the motion from the
-    /// guess has to settle to a limit cycle; a guess at an equilibrium is displaced a little.
+    /// The initial guess of a motion at each end of the range; if there is none, zero, or the state about which the equations are symmetric. With a
+    /// drive, further motions are searched about its coordinates from estimates by harmonic balance. Without a drive the motion from the guess
+    /// has to settle to a limit cycle; a guess at an equilibrium is displaced a little.
     pub start: Option<Vec<f64>>,
     /// The value of the parameter at which a motion is searched and followed in both directions; the
     /// ends of the range if there is none. Closed branches within the range are found only in this way.

@@ -36,8 +36,8 @@ impl SpecialPoint {
     /// The singular point of a branch in a space, found by [`Response::over`](super::Response::over) for the equation and the
     /// parameter, to a number of digits: Newton's method with residuals in floats of many bits and derivatives in double
     /// precision. `None` for neutral saddles, for Neimark–Sacker points of states with more than two components, for branch
-    /// points of autonomous motions or of motions other than the equilibrium at zero, for equations that are symmetric about another state than
-    /// zero, and if the motion cannot be integrated.
+    /// points of autonomous motions or of motions other than the equilibrium at zero, for symmetry breakings if the equations are symmetric about
+    /// another state than zero, and if the motion cannot be integrated.
     ///
     /// A cancelled call returns `None`.
     ///
@@ -76,9 +76,9 @@ impl SpecialPoint {
             return Ok(None);
         }
         let family = Family::new(equation, &[parameter], &[[value - width, value + width]], watch)?;
-        if !family.mirror.is_about_zero() {
-            return Ok(None);
-        }
+        // Another centre than zero is known in double precision only, and the whole period needs none.
+        let is_mirrored_elsewhere = space.mirrored && !family.mirror.is_about_zero();
+        let space = if is_mirrored_elsewhere { space.doubled() } else { space };
         let flow = PreciseFlow::new(equation, parameter, &family.mirror, watch)?;
         let is_zero = self.point.state.iter().all(|x| *x == 0.0);
         let is_rest = is_zero && self.point.ranges.iter().all(|[low, high]| low.to_bits() == high.to_bits());

@@ -41,7 +41,7 @@ impl Mirror {
     }
 
     /// The distances of the components of a state from the centre.
-    pub(super) fn from_centre(&self, state: &[f64]) -> Vec<f64> {
+    pub(super) fn distances(&self, state: &[f64]) -> Vec<f64> {
         state.iter().zip(&self.centre).map(|(value, centre)| value - centre).collect()
     }
 

@@ -86,6 +86,20 @@ fn a_pendulum_by_half_angles_has_the_same_folds() {
     assert_same(&driven("sin(x)"), &driven("2*sin(x/2)*cos(x/2)"), [1.4, 0.3]);
 }
 
+/// A limit cycle about another equilibrium is its own mirror image too.
+#[test]
+fn a_limit_cycle_about_another_centre_is_symmetric() {
+    for centre in ["0", "0.73", "(-12.5)", "pi"] {
+        let van_der_pol = format!("x'' = w*(1 - (x - {centre})^2)*x' - (x - {centre})");
+        let response =
+            Response::over(&equation(&van_der_pol), "w", [0.5, 2.0], &ResponseOptions::default(), &Quiet)
+                .unwrap();
+        let [branch] = &response.branches[..] else { panic!("{centre}: {}", response.branches.len()) };
+        assert!(branch.space.mirrored && branch.special.is_empty(), "{centre}: {:?}", branch.space);
+        assert!(branch.points.iter().all(|point| point.is_stable()), "{centre}");
+    }
+}
+
 /// The cycle of the Brusselator begins at b = 2, whichever equation comes first: next to it terms of y' are equal, and only rounding is left.
 #[test]
 fn the_order_of_equations_does_not_change_a_hopf_point() {

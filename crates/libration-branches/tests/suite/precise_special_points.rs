@@ -205,3 +205,18 @@ fn what_has_no_digits_has_none() {
         assert_eq!(saddle.to_digits(&equation, "w", space, 25, &Quiet), Ok(None));
     }
 }
+
+/// The fold of the Duffing oscillator about zero, by Fourier collocation with 30 digits, where its spring is slack at 0.73.
+#[test]
+fn a_fold_about_another_centre_has_all_its_digits() {
+    let centred =
+        "x'' = -x'/20 - (x - 73/100) - (x - 73/100)^3/10 + 0.18*cos(w*t)".parse::<Equation>().unwrap();
+    let response = Response::over(&centred, "w", [0.5, 1.6], &ResponseOptions::default(), &Quiet).unwrap();
+    let branch = &response.branches[0];
+    assert!(branch.space.mirrored);
+    let mut folds = branch.special.iter().filter(|special| special.kind == SpecialKind::Fold);
+    let fold = folds.find(|fold| (fold.point.parameter - 1.269601955545892).abs() < 1e-12).unwrap();
+    let precise = fold.to_digits(&centred, "w", branch.space, 25, &Quiet).unwrap().unwrap();
+    let digits = precise.parameter.to_rational().to_decimal(25);
+    assert!(digits.starts_with("1.26960195554589247751836"), "{digits}");
+}

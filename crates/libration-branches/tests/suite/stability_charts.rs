@@ -332,3 +332,38 @@ fn the_error_of_a_boundary_at_zero_contains_that_of_the_multipliers() {
         start.point.error
     );
 }
+
+/// A pendulum whose pivot moves up and down, and a driven spring, about zero and about another angle and length.
+#[test]
+fn charts_about_another_centre_are_the_same() {
+    let chart = |equation: String, ranges: [[f64; 2]; 2], lines: u32| {
+        let options = ChartOptions { lines, ..ChartOptions::default() };
+        StabilityChart::over(&equation_with(&equation, &[]), ["w", "a"], ranges, &options, &Quiet).unwrap()
+    };
+    let pivot = |x: &str| format!("x'' = -x'/10 - (1 - a*w^2*cos(w*t))*sin({x})");
+    let spring = |x: &str| format!("x'' = -x'/10 - {x} - {x}^3 + a*cos(w*t)");
+    for equation in [&pivot as &dyn Fn(&str) -> String, &spring] {
+        let [centred, shifted] = ["x", "(x - 0.73)"].map(|x| chart(equation(x), [[1.5, 2.5], [0.1, 0.9]], 1));
+        assert_eq!(centred.rest.is_some(), shifted.rest.is_some(), "{}", equation("x"));
+        assert!(!centred.curves.is_empty(), "{}", equation("x"));
+        let outline = |chart: &StabilityChart| -> Vec<(SpecialKind, bool, bool, [f64; 2])> {
+            let mut curves: Vec<_> = chart
+                .curves
+                .iter()
+                .map(|curve| {
+                    let [first, last] =
+                        [curve.points.first(), curve.points.last()].map(|point| point.unwrap().second);
+                    (curve.kind, curve.at_rest, curve.space.mirrored, [first, last])
+                })
+                .collect();
+            curves.sort_by(|a, b| a.3[0].total_cmp(&b.3[0]));
+            curves
+        };
+        let [centred, shifted] = [&centred, &shifted].map(outline);
+        assert_eq!(centred.len(), shifted.len(), "{centred:?}; {shifted:?}");
+        for (a, b) in centred.iter().zip(&shifted) {
+            assert_eq!((a.0, a.1, a.2), (b.0, b.1, b.2), "{centred:?}; {shifted:?}");
+            assert!(a.3.iter().zip(b.3).all(|(a, b)| (a - b).abs() < 1e-9), "{centred:?}; {shifted:?}");
+        }
+    }
+}

@@ -51,6 +51,13 @@ impl InitialOptions {
         Initial::read(text, model, Meant::Rest)
     }
 
+    /// The guess with which a search for motions begins: the given state, or that of rest; `None` if this is not known to be other than zero.
+    pub(crate) fn guess(&self, model: &Model) -> Result<Option<Vec<f64>>, QueryError> {
+        let given = self.is_given().then(|| self.read_at_rest(model)).transpose()?;
+        let at_rest = || Some(model.state_at_rest()).filter(|state| state.iter().any(|x| *x != 0.0));
+        Ok(given.map(|initial| initial.state).or_else(at_rest))
+    }
+
     /// The state with further names and values, each of which may be refused with a reason.
     pub(crate) fn read_with(
         &self,

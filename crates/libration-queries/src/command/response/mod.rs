@@ -174,9 +174,8 @@ impl ResponseQuestion {
     }
 
     fn response(&self, model: &Model, coordinate: usize) -> Result<Response, QueryError> {
-        let start = self.initial.is_given().then(|| self.initial.read_at_rest(model)).transpose()?;
         let options = ResponseOptions {
-            start: Some(start.map_or_else(|| model.state_at_rest(), |initial| initial.state)),
+            start: self.initial.guess(model)?,
             drive_periods: u32::try_from(self.drive_periods).unwrap_or(1),
             rotation: self.turns.map(|turns| Rotation { coordinate, turns }),
             generations: self.generations,

@@ -94,10 +94,9 @@ impl StabilityQuestion {
     fn computed(&self) -> Result<StabilityResult, QueryError> {
         let [first, second] = &self.map;
         let model = self.system.model_with_open(&[&first.name, &second.name], &option("map"))?;
-        let start = self.initial.is_given().then(|| self.initial.read_at_rest(&model)).transpose()?;
         let whole = |number: usize| u32::try_from(number).unwrap_or(1);
         let options = ChartOptions {
-            start: Some(start.map_or_else(|| model.state_at_rest(), |initial| initial.state)),
+            start: self.initial.guess(&model)?,
             drive_periods: whole(self.drive_periods),
             generations: self.generations,
             lines: whole(self.lines),
