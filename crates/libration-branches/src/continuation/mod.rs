@@ -27,16 +27,17 @@
 //! continued beyond the motion at which the number of stops changes, next to which deviations have no derivatives.
 //!
 //! At each end of the range, or at one given value, branches begin with the motion that Newton's method finds from the start, and with further
-//! motions near estimates by harmonic balance (`further_starts.rs`). Not searched are motions with many harmonics, other periods, isolas
-//! within the range, and without a drive other cycles than that to which the start settles.
+//! motions near estimates by harmonic balance (`further_starts.rs`); and with those to which the system settles beyond a fold where no known motion
+//! is stable (`landings.rs`). Not searched are motions with many harmonics, other periods, isolas within the range, and without a drive other
+//! cycles than that to which the start settles.
 //!
 //! Motions that are their own mirror images half a period later are followed by the half map with a mirror (`space.rs`). Its multiplier +1 is a
-//! fold and −1 a symmetry-breaking bifurcation; the whole map could not distinguish them. The existence of mirror images is a property of the
-//! equation (`symmetry.rs`). Folds, flips and Neimark–Sacker points (products of multipliers equal to one) are zeros of test functions along the
-//! branch; they are computed to the last digits, and again with another tolerance, and the difference is the error (`special.rs`). A test
-//! function that is noise, such as a determinant of a conservative system, has no sign. Secondary branches are followed in the larger space
-//! until they return to a smaller one, and those of eight or more periods until deviations grow a thousandfold in one; the branch on which
-//! another branch ends is followed too (`response.rs`).
+//! fold and −1 a symmetry-breaking bifurcation; the whole map could not distinguish them. The existence of mirror images, about zero or another
+//! centre, is a property of the equation (`symmetry.rs`, `centre.rs`). Folds, flips and Neimark–Sacker points (products of multipliers equal to one)
+//! are zeros of test functions along the branch; they are computed to the last digits, and again with another tolerance, and the difference is
+//! the error (`special.rs`). A test function that is noise, such as a determinant of a conservative system, has no sign. Secondary branches
+//! are followed in the larger space until they return to a smaller one, and those of eight or more periods until deviations grow a thousandfold
+//! in one; the branch on which another branch ends is followed too (`response.rs`).
 //!
 //! A point is accepted if the motion, integrated over its whole period by the equation alone, returns within the grown
 //! error of its start (`description.rs`). If deviations grow more than 5e9-fold, so that rounding errors exceed 1e-6,
@@ -64,6 +65,7 @@ mod established;
 mod restarts;
 mod undriven;
 mod jumps;
+mod landings;
 mod order;
 mod options;
 mod search;

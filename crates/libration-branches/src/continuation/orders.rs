@@ -13,7 +13,6 @@ use super::error::BranchError;
 use super::full_strength::ToFullStrength;
 use super::jumps::landing;
 use super::order::ResonanceOrder;
-use super::point::BranchPoint;
 use super::search::{Search, Start};
 use super::space::{Space, Symmetry};
 use libration_motion::orbit::Orbit;
@@ -131,9 +130,8 @@ impl Search<'_> {
             branch.points.windows(2).map(move |pair| (branch.space, [&pair[0], &pair[1]]))
         });
         let mut here = pairs.filter(|(_, [a, b])| (a.parameter < value) != (b.parameter < value));
-        let is_at_rest = |point: &BranchPoint| point.ranges.iter().flatten().all(|x| *x == 0.0);
-        if self.family.is_driven() && start.unknowns.iter().all(|x| *x == 0.0) {
-            return here.any(|(_, [a, b])| is_at_rest(a) && is_at_rest(b));
+        if self.family.is_driven() && start.unknowns == self.family.mirror.rest() {
+            return here.any(|(_, ends)| ends.into_iter().all(|end| self.family.is_at_rest(end)));
         }
         let is_driven = self.family.is_driven();
         let periods = start.space.drive_periods();

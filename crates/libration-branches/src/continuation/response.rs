@@ -4,7 +4,7 @@ use super::branch::{Branch, Origin, Walked};
 use super::coordinate_units::CoordinateUnits;
 use super::error::BranchError;
 use super::family::Family;
-use super::jumps::{Jump, jumps};
+use super::jumps::Jump;
 use super::node::Node;
 use super::options::ResponseOptions;
 use super::orders::OrderAnswers;
@@ -190,8 +190,8 @@ impl Search<'_> {
         {
             return Err(error);
         }
+        let jumps = self.follow_landings(&mut followed);
         let branches = followed.branches;
-        let jumps = jumps(&branches, |space| self.corrector(space), self.width());
         let (driven, interrupted) = (self.family.is_driven(), self.family.watch.is_stopped());
         Ok(Response { branches, orders, jumps, missing, driven, interrupted })
     }
@@ -214,6 +214,25 @@ impl Search<'_> {
                 Ok(None) if self.family.is_driven() => missing.push((value, BranchError::NoNeighbour)),
                 Ok(None) => missing.push((value, BranchError::NotFollowed)),
                 Err(error) => missing.push((value, error)),
+            }
+        }
+    }
+
+    /// Follows the branches to which slow sweeps jump where no known motion is stable, and returns all jumps.
+    fn follow_landings(&self, followed: &mut FollowedBranches) -> Vec<Jump> {
+        /// Most folds from which motions are integrated, each over up to a thousand periods.
+        const MOST: usize = 6;
+        let mut tried = vec![];
+        loop {
+            let jumps = self.jumps(&followed.branches);
+            let is_open =
+                |jump: &&Jump| jump.to.is_empty() && !tried.contains(&jump.from.parameter.to_bits());
+            let open = jumps.iter().find(is_open).filter(|_| tried.len() < MOST);
+            let Some(jump) = open.filter(|_| !self.family.watch.is_stopped()) else { return jumps };
+            tried.push(jump.from.parameter.to_bits());
+            if let Some(walked) = self.landing_branch(&followed.branches, jump) {
+                self.keep(followed, walked, 0);
+                self.follow_all(followed);
             }
         }
     }
@@ -269,7 +288,7 @@ impl Search<'_> {
     }
 
     /// The motion to which Newton's method converges at a value of the parameter.
-    fn corrected(&self, value: f64, start: &Start) -> Option<Start> {
+    pub(super) fn corrected(&self, value: f64, start: &Start) -> Option<Start> {
         let corrector = self.corrector(start.space);
         let unknowns: Vec<f64> = start.unknowns.iter().copied().chain([value]).collect();
         let along: Vec<f64> =

@@ -131,11 +131,11 @@ impl Response {
     }
 }
 
-struct Sweeping<'a> {
-    family: &'a Family<'a>,
-    angles: Vec<bool>,
+pub(super) struct Sweeping<'a> {
+    pub(super) family: &'a Family<'a>,
+    pub(super) angles: Vec<bool>,
     /// Number of values done before this sweep.
-    done: usize,
+    pub(super) done: usize,
 }
 
 impl Sweeping<'_> {
@@ -165,7 +165,7 @@ impl Sweeping<'_> {
     }
 
     /// The motion at a value, followed until it repeats itself.
-    fn settled(&self, value: f64, start: Vec<f64>) -> Option<SweepPoint> {
+    pub(super) fn settled(&self, value: f64, start: Vec<f64>) -> Option<SweepPoint> {
         let period = self.family.drive_period(&[value])?;
         let mut states = vec![start];
         while states.len() <= MOST_PERIODS {

@@ -382,3 +382,26 @@ fn changes_of_stability_without_a_special_point_are_listed() {
     let is_near = |fold: &f64| changes.iter().any(|[low, high]| (low - 1e-2..high + 1e-2).contains(fold));
     assert!(changes.len() == 2 && folds.iter().all(is_near), "{changes:?} {folds:?}");
 }
+
+/// At the ends of this range the motion beyond the fold of a well is unstable, and no estimate leads to it. From the fold SciPy's `solve_ivp` (DOP853,
+/// tolerance 1e-11) comes to a motion at w = 0.63 that goes as far as 2.3513008417.
+#[test]
+fn a_branch_is_found_by_the_jump_to_it() {
+    let double_well = equation_with("x'' = -0.108*x' + x - 0.358*x^3 + 0.419*cos(w*t)", &[]);
+    let options = ResponseOptions { generations: 0, ..ResponseOptions::default() };
+    let response = Response::over(&double_well, "w", [0.5, 2.2], &options, &Quiet).unwrap();
+    let reached: Vec<&Branch> =
+        response.branches.iter().filter(|branch| branch.origin == Origin::Jump).collect();
+    let [branch] = reached[..] else { panic!("{} branches", reached.len()) };
+    let near = |point: &&BranchPoint| (0.625..0.635).contains(&point.parameter) && point.is_stable();
+    let near: Vec<&BranchPoint> = branch.points.iter().filter(near).collect();
+    let amplitude =
+        near.windows(2).find(|pair| (pair[0].parameter < 0.63) != (pair[1].parameter < 0.63)).map(|pair| {
+            let part = (0.63 - pair[0].parameter) / (pair[1].parameter - pair[0].parameter);
+            let [a, b] = [pair[0], pair[1]].map(|point| point.amplitude(0, false));
+            a + part * (b - a)
+        });
+    assert!((amplitude.unwrap() - 2.351_300_841_7).abs() < 1e-5, "{amplitude:?}");
+    let jump = response.jumps.iter().find(|jump| (jump.from.parameter - 0.611_083_436_478).abs() < 1e-11);
+    assert_eq!(jump.map(|jump| (jump.rising, jump.to.len())), Some((true, 1)));
+}

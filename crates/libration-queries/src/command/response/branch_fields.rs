@@ -248,6 +248,7 @@ pub(super) fn origin(origin: Origin) -> [&'static str; 2] {
         Origin::SymmetryBreaking => ["symmetry_breaking", "from a symmetry breaking"],
         Origin::PeriodDoubling => ["period_doubling", "from a period doubling"],
         Origin::Meeting => ["meeting", "through the end of another branch"],
+        Origin::Jump => ["jump", "reached by a jump"],
     }
 }
 

@@ -196,11 +196,10 @@ fn summary(branch: &NumberedBranch<'_>) -> String {
         )
     });
     let before = match (branch.branch.origin, branch.branch.beginning) {
-        (Origin::Primary | Origin::FreeOscillation | Origin::Meeting, Ending::RangeEnd | Ending::Closed)
-        | (Origin::SymmetryBreaking | Origin::PeriodDoubling, _) => String::new(),
-        (Origin::Primary | Origin::FreeOscillation | Origin::Meeting, other) => {
-            format!("; before its first point it {}", ending(other)[1])
+        (Origin::SymmetryBreaking | Origin::PeriodDoubling, _) | (_, Ending::RangeEnd | Ending::Closed) => {
+            String::new()
         }
+        (_, other) => format!("; before its first point it {}", ending(other)[1]),
     };
     let unresolved = match &branch.branch.unresolved[..] {
         [] => String::new(),
