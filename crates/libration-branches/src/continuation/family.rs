@@ -3,8 +3,9 @@
 use super::drive_law::DriveLaw;
 use super::error::BranchError;
 use super::field::{Field, Rates, returned};
+use super::mirror::Mirror;
 use super::space::{Space, Symmetry};
-use super::symmetry::{Mirror, has_partial_mirror, symmetry};
+use super::symmetry::{has_partial_mirror, symmetry};
 use libration_motion::internals::periodic::{Flow, Variations, norm, norm_of_map};
 use libration_motion::taylor::{IntegrationError, OwnedStep, StateLayout};
 use libration_numbers::algebra::Doubles;

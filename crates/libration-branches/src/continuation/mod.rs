@@ -46,6 +46,7 @@
 mod error;
 mod drive_law;
 mod field;
+mod mirror;
 mod space;
 mod turns;
 mod units;

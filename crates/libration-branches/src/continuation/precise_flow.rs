@@ -5,8 +5,8 @@
 
 use super::drive_law::DriveLaw;
 use super::error::BranchError;
+use super::mirror::Mirror;
 use super::space::Space;
-use super::symmetry::Mirror;
 use libration_motion::internals::periodic::{precise_series, precise_step, precise_sum};
 use libration_motion::taylor::{StateLayout, with_sensitivities};
 use libration_numbers::algebra::{BigFloat, Floats, Ring};

@@ -1,6 +1,6 @@
 //! Spaces of periodic motions, each of which is followed separately.
 
-use super::symmetry::Mirror;
+use super::mirror::Mirror;
 use std::f64::consts::TAU;
 
 /// Period of a motion, in halves of the drive's period, and its symmetry.

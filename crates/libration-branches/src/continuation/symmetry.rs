@@ -2,6 +2,7 @@
 
 use super::centre::centres;
 use super::drive_law::DriveLaw;
+use super::mirror::Mirror;
 use super::space::Symmetry;
 use libration_kernels::elementary::count;
 use libration_motion::taylor::StateLayout;
@@ -15,52 +16,6 @@ const TRIALS: u32 = 12;
 /// Powers of two by which states are scaled if the force has kinks, so that both sides of each
 /// kink are tested. A force without kinks is analytic: a symmetry near one state holds everywhere.
 const SCALES: [i32; 2] = [-60, 60];
-
-/// The mirror image of states: some components change their sign, counted from a centre.
-#[derive(Clone, Debug)]
-pub(super) struct Mirror {
-    signs: Vec<f64>,
-    centre: Vec<f64>,
-}
-
-impl Mirror {
-    /// The sign that the image gives to deviations of a component.
-    pub(super) fn sign(&self, component: usize) -> f64 {
-        self.signs[component]
-    }
-
-    /// The image of a value of a component.
-    pub(super) fn image(&self, component: usize, value: f64) -> f64 {
-        let sign = self.signs[component];
-        sign * value + (1.0 - sign) * self.centre[component]
-    }
-
-    /// The image of a state.
-    pub(super) fn image_of(&self, state: &[f64]) -> Vec<f64> {
-        state.iter().enumerate().map(|(component, value)| self.image(component, *value)).collect()
-    }
-
-    /// The distances of the components of a state from the centre.
-    pub(super) fn distances(&self, state: &[f64]) -> Vec<f64> {
-        state.iter().zip(&self.centre).map(|(value, centre)| value - centre).collect()
-    }
-
-    /// The equilibrium that is the nearest to zero and its own mirror image.
-    pub(super) fn rest(&self) -> Vec<f64> {
-        let at_centre = |(sign, centre): (&f64, &f64)| if *sign < 0.0 { *centre } else { 0.0 };
-        self.signs.iter().zip(&self.centre).map(at_centre).collect()
-    }
-
-    /// The centre: the only state that is its own mirror image at all times, if the image changes all components.
-    pub(super) fn fixed_state(&self) -> Option<&[f64]> {
-        self.signs.iter().all(|sign| *sign < 0.0).then_some(&self.centre)
-    }
-
-    /// Returns `true` if the centre is zero.
-    pub(super) fn is_about_zero(&self) -> bool {
-        self.centre.iter().all(|x| *x == 0.0)
-    }
-}
 
 /// The symmetry of a system, and its mirror image.
 ///
@@ -85,10 +40,10 @@ pub(super) fn symmetry(
         let equation = Trial { layout, rates, law, ranges, scale, centre: &centre };
         let (symmetry, signs) = equation.symmetry()?;
         let (signs, centre) = (equation.of_state(&signs), layout.arrange(centre.iter().copied(), |_| 0.0));
-        Some((Some(symmetry), Mirror { signs, centre }))
+        Some((Some(symmetry), Mirror::new(signs, centre)))
     };
     let numbers = layout.numbers();
-    let none = || (None, Mirror { signs: vec![1.0; numbers], centre: vec![0.0; numbers] });
+    let none = || (None, Mirror::new(vec![1.0; numbers], vec![0.0; numbers]));
     about(zero).or_else(|| others().into_iter().find_map(about)).unwrap_or_else(none)
 }
 
