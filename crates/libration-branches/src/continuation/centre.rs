@@ -12,8 +12,14 @@ use libration_numbers::internals::expression::{Jet, Tape};
 use libration_numbers::internals::linear::solve;
 use libration_numbers::internals::roots::{NewtonError, newton};
 
-/// Candidates for the centre, in coordinates, the nearest to zero first, for forces as a tape in the state, the time and the parameters.
-pub(super) fn centres(layout: &StateLayout, rates: &Tape, period: f64, parameters: &[f64]) -> Vec<Vec<f64>> {
+/// Candidates for the centre, in coordinates, the nearest to zero first, for forces as a tape in the state, the time and the parameters. `scale` is the
+/// size of motions.
+pub(super) fn centres(
+    layout: &StateLayout,
+    rates: &Tape,
+    (period, parameters): (f64, &[f64]),
+    scale: f64,
+) -> Vec<Vec<f64>> {
     /// Most zeros: two wells and a hilltop.
     const MOST_ZEROS: usize = 3;
     const MOST_STEPS: usize = 40;
@@ -24,7 +30,7 @@ pub(super) fn centres(layout: &StateLayout, rates: &Tape, period: f64, parameter
         |step: &[f64], at: &[f64]| norm(step) <= 4.0 * f64::EPSILON * norm(at).max(f64::MIN_POSITIVE);
     let is_near = |a: &[f64], b: &[f64]| norm(&difference(a, b)) <= SAME * norm(a);
     let mut zeros: Vec<Vec<f64>> = vec![];
-    for guess in guesses(layout.coordinates()) {
+    for guess in guesses(layout.coordinates(), scale) {
         let zero = newton(&Doubles, &guess, MOST_STEPS, |at| forces.correction(at), is_last);
         match zero {
             Ok(zero) if !zeros.iter().any(|other| is_near(other, &zero)) => zeros.push(zero),
@@ -46,13 +52,15 @@ fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a - b).collect()
 }
 
-/// Guesses: zero, and each coordinate alone and all together over six decades.
-fn guesses(coordinates: usize) -> Vec<Vec<f64>> {
+/// Guesses: zero, and each of the first coordinates alone and all together over six decades.
+fn guesses(coordinates: usize, scale: f64) -> Vec<Vec<f64>> {
+    /// Most coordinates that are moved alone: the work for a long chain would grow with the fourth power of its length.
+    const MOST: usize = 7;
     let each = |part: &dyn Fn(usize) -> f64| (0..coordinates).map(part).collect::<Vec<f64>>();
-    let alone = (0..coordinates).map(|moved| each(&|number| f64::from(number == moved)));
+    let alone = (0..coordinates.min(MOST)).map(|moved| each(&|number| f64::from(number == moved)));
     let together = (coordinates > 1).then(|| each(&|_| 1.0));
     let shapes: Vec<Vec<f64>> = alone.chain(together).collect();
-    let sizes = (-3..=3).map(|decade| libm::exp10(f64::from(decade))).flat_map(|size| [size, -size]);
+    let sizes = (-3..=3).map(|decade| scale * libm::exp10(f64::from(decade))).flat_map(|size| [size, -size]);
     let of_size = |size: f64| {
         shapes.iter().map(move |shape| shape.iter().map(|part| size * part).collect()).collect::<Vec<_>>()
     };

@@ -104,7 +104,7 @@ impl StabilityChart {
         watch.begin(Stage::Whole, None);
         let ranges = ranges.map(|[from, to]| [from.min(to), from.max(to)]);
         let family = Family::new(equation, &parameters, &ranges, watch)?;
-        let start = options.start.clone().unwrap_or_else(|| family.mirror.rest());
+        let start = options.start.clone().unwrap_or_else(|| family.mirror.rest().to_vec());
         let survey = Survey { equation, parameters, family: &family, ranges, options, start: &start };
         if let Some((scaled, units)) =
             survey.units().and_then(|units| Some((units.equation(equation)?, units)))

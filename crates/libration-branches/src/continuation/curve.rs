@@ -425,7 +425,7 @@ impl<'a> Trace<'a> {
             family.image(smaller, state, parameters, TOLERANCES[0]).map(|image| in_units(&image.defect))
         };
         let is_smaller = |smaller: Space| misses(smaller).is_some_and(|off| off < SAME);
-        let is_rest = |_: &[f64]| in_units(&family.mirror.distances(state)) < REST;
+        let is_rest = |rest: &[f64]| norm(&self.difference(state, rest)) < REST;
         (space.mirrored && family.mirror.fixed_state().is_some_and(is_rest))
             || space.within(family.symmetry).into_iter().any(is_smaller)
     }

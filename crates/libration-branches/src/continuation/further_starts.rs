@@ -40,7 +40,7 @@ impl Search<'_> {
 
     /// The state at which motions are searched first: without a given one, zero or the centre of the mirror.
     pub(super) fn given(&self) -> Vec<f64> {
-        self.options.start.clone().unwrap_or_else(|| self.family.mirror.rest())
+        self.options.start.clone().unwrap_or_else(|| self.family.mirror.rest().to_vec())
     }
 
     /// `true` if the given state does not move at two times.

@@ -4,12 +4,15 @@
 #[derive(Clone, Debug)]
 pub(super) struct Mirror {
     signs: Vec<f64>,
+    /// Zero in the components that keep their sign.
     centre: Vec<f64>,
 }
 
 impl Mirror {
     /// The image with these signs and this centre, by components of a state.
-    pub(super) const fn new(signs: Vec<f64>, centre: Vec<f64>) -> Self {
+    pub(super) fn new(signs: Vec<f64>, centre: &[f64]) -> Self {
+        let mirrored = |(sign, centre): (&f64, &f64)| if *sign < 0.0 { *centre } else { 0.0 };
+        let centre = signs.iter().zip(centre).map(mirrored).collect();
         Self { signs, centre }
     }
 
@@ -29,15 +32,9 @@ impl Mirror {
         state.iter().enumerate().map(|(component, value)| self.image(component, *value)).collect()
     }
 
-    /// The distances of the components of a state from the centre.
-    pub(super) fn distances(&self, state: &[f64]) -> Vec<f64> {
-        state.iter().zip(&self.centre).map(|(value, centre)| value - centre).collect()
-    }
-
     /// The equilibrium that is the nearest to zero and its own mirror image.
-    pub(super) fn rest(&self) -> Vec<f64> {
-        let at_centre = |(sign, centre): (&f64, &f64)| if *sign < 0.0 { *centre } else { 0.0 };
-        self.signs.iter().zip(&self.centre).map(at_centre).collect()
+    pub(super) fn rest(&self) -> &[f64] {
+        &self.centre
     }
 
     /// The centre: the only state that is its own mirror image at all times, if the image changes all components.
@@ -45,7 +42,7 @@ impl Mirror {
         self.signs.iter().all(|sign| *sign < 0.0).then_some(&self.centre)
     }
 
-    /// Returns `true` if the centre is zero.
+    /// Returns `true` if the image is counted from zero.
     pub(super) fn is_about_zero(&self) -> bool {
         self.centre.iter().all(|x| *x == 0.0)
     }

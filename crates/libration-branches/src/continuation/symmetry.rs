@@ -35,15 +35,15 @@ pub(super) fn symmetry(
     let zero = vec![0.0; layout.coordinates()];
     let middle: Vec<f64> = ranges.iter().map(|[low, high]| f64::midpoint(*low, *high)).collect();
     let period = law.map_or(Some(1.0), |law| law.period(&middle).map(|(period, _)| period.abs()));
-    let others = || period.map_or(vec![], |period| centres(layout, rates, period, &middle));
+    let others = || period.map_or(vec![], |period| centres(layout, rates, (period, &middle), scale));
     let about = |centre: Vec<f64>| {
         let equation = Trial { layout, rates, law, ranges, scale, centre: &centre };
         let (symmetry, signs) = equation.symmetry()?;
         let (signs, centre) = (equation.of_state(&signs), layout.arrange(centre.iter().copied(), |_| 0.0));
-        Some((Some(symmetry), Mirror::new(signs, centre)))
+        Some((Some(symmetry), Mirror::new(signs, &centre)))
     };
     let numbers = layout.numbers();
-    let none = || (None, Mirror::new(vec![1.0; numbers], vec![0.0; numbers]));
+    let none = || (None, Mirror::new(vec![1.0; numbers], &vec![0.0; numbers]));
     about(zero).or_else(|| others().into_iter().find_map(about)).unwrap_or_else(none)
 }
 
