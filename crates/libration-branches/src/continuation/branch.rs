@@ -64,6 +64,8 @@ pub enum Origin {
     PeriodDoubling,
     /// The end of another branch, on this one.
     Meeting,
+    /// A motion at a value within the range.
+    Within,
     /// A motion to which the system settles beyond a fold of another branch.
     Jump,
 }
@@ -210,7 +212,9 @@ impl<'a> Walk<'a> {
         let special = self.special.iter().map(|(special, _)| special).chain(&self.hopf).cloned().collect();
         let beginning = match origin {
             _ if ending == Ending::Closed => Ending::Closed,
-            Origin::Primary | Origin::FreeOscillation | Origin::Meeting | Origin::Jump => Ending::RangeEnd,
+            Origin::Primary | Origin::FreeOscillation | Origin::Meeting | Origin::Within | Origin::Jump => {
+                Ending::RangeEnd
+            }
             Origin::SymmetryBreaking | Origin::PeriodDoubling => Ending::BranchPoint,
         };
         let Self { corrector: Corrector { space, .. }, .. } = self;

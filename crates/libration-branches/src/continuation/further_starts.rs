@@ -5,8 +5,10 @@
 //! Of the repelling ones there are infinitely many if motions are chaotic: those that pass the coordinates of the given start begin branches, the
 //! smallest first, as long as they are fewer than the attracting ones. In the plane of states a saddle lies between two nodes.
 
+use super::branch::Branch;
 use super::corrector::Corrected;
 use super::harmonic_balance::HarmonicBalance;
+use super::point::BranchPoint;
 use super::search::{Search, Start, middle};
 use super::space::Space;
 use libration_motion::internals::periodic::norm;
@@ -36,6 +38,31 @@ impl Search<'_> {
         others.sort_by(|a, b| size(a).total_cmp(&size(b)));
         others.truncate(lasting.len().saturating_sub(1));
         lasting.into_iter().chain(others).map(|(start, _)| start).collect()
+    }
+
+    /// The attracting motions at a value of the parameter, to which estimates lead.
+    pub(super) fn lasting_starts(&self, value: f64, known: f64) -> Vec<Start> {
+        let reached = self.reached(value, self.options.drive_periods, known).into_iter();
+        reached.filter(|(_, largest)| *largest <= LASTS).map(|(start, _)| start).collect()
+    }
+
+    /// Values within the range at which motions between wells are searched, if branches have stable motions that do not pass the given state: such
+    /// motions may be unstable at both ends.
+    pub(super) fn values_between_wells(&self, branches: &[Branch]) -> Vec<f64> {
+        const PARTS: [f64; 3] = [0.25, 0.5, 0.75];
+        let is_sought =
+            self.family.is_driven() && self.options.rotation.is_none() && self.options.at.is_none();
+        let given = self.given();
+        let is_in_well = |point: &BranchPoint| {
+            let beside = |(coordinate, [low, high]): (usize, &[f64; 2])| {
+                let may_turn = self.turns.is_angle(coordinate) || self.turns.is_coupled(coordinate);
+                !may_turn && !(*low..=*high).contains(&given[coordinate])
+            };
+            point.is_stable() && point.ranges.iter().enumerate().any(beside)
+        };
+        let has_wells = branches.iter().flat_map(|branch| &branch.points).any(is_in_well);
+        let values = PARTS.map(|part| self.range[0] + part * self.width());
+        if is_sought && has_wells { values.to_vec() } else { vec![] }
     }
 
     /// The state at which motions are searched first: without a given one, zero or the centre of the mirror.

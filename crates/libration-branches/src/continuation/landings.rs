@@ -20,11 +20,21 @@ impl Search<'_> {
     pub(super) fn landing_branch(&self, branches: &[Branch], jump: &Jump) -> Option<Walked> {
         let (value, start) = self.settled_beyond(jump)?;
         let start = self.corrected(value, &start)?;
-        if self.is_followed(branches, value, &start) {
+        self.new_branch(branches, (value, &start), Origin::Jump)
+    }
+
+    /// The branch through a motion within the range, in both directions; `None` if it is known.
+    pub(super) fn new_branch(
+        &self,
+        branches: &[Branch],
+        (value, start): (f64, &Start),
+        origin: Origin,
+    ) -> Option<Walked> {
+        if self.is_followed(branches, value, start) {
             return None;
         }
-        let mut walked = self.both_ways(value, &start).ok()??;
-        walked.branch.origin = Origin::Jump;
+        let mut walked = self.both_ways(value, start).ok()??;
+        walked.branch.origin = origin;
         Some(walked)
     }
 

@@ -27,7 +27,7 @@
 //! continued beyond the motion at which the number of stops changes, next to which deviations have no derivatives.
 //!
 //! At each end of the range, or at one given value, branches begin with the motion that Newton's method finds from the start, and with further
-//! motions near estimates by harmonic balance (`further_starts.rs`); and with those to which the system settles beyond a fold where no known motion
+//! motions near estimates by harmonic balance (`further_starts.rs`), within the range too if there are several wells; and with those to which the system settles beyond a fold where no known motion
 //! is stable (`landings.rs`). Not searched are motions with many harmonics, other periods, isolas within the range, and without a drive other
 //! cycles than that to which the start settles.
 //!

@@ -175,15 +175,24 @@ impl Search<'_> {
         }
         self.follow_all(&mut followed);
         // A further motion may lie on a secondary branch.
+        let largest = |branches: &[Branch]| {
+            branches.iter().flat_map(|branch| &branch.points).map(largest_half_range).fold(0.0, f64::max)
+        };
         for begin_at in beginnings {
-            let points = followed.branches.iter().flat_map(|branch| &branch.points);
-            let largest = points.map(largest_half_range).fold(0.0, f64::max);
-            let further = self.further_starts(begin_at.0, largest);
+            let further = self.further_starts(begin_at.0, largest(&followed.branches));
             if !further.is_empty() {
                 missing.retain(|(value, _)| value.to_bits() != begin_at.0.to_bits());
             }
             self.begin(&mut followed, &mut missing, begin_at, further);
             self.follow_all(&mut followed);
+        }
+        for value in self.values_between_wells(&followed.branches) {
+            for start in self.lasting_starts(value, largest(&followed.branches)) {
+                if let Some(walked) = self.new_branch(&followed.branches, (value, &start), Origin::Within) {
+                    self.keep(&mut followed, walked, 0);
+                    self.follow_all(&mut followed);
+                }
+            }
         }
         if followed.branches.is_empty()
             && let Some((_, error)) = missing.pop()

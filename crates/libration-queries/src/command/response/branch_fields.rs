@@ -92,7 +92,7 @@ pub(super) fn of_branch<'a>() -> Fields<NumberedBranch<'a>> {
             "kind",
             "",
             "origin of the branch: primary, at an end of the range; free_oscillation; symmetry_breaking; period_doubling; meeting, at the end of \
-             another branch",
+             another branch; within, at a value within the range; jump, beyond a fold of another branch",
             |branch| origin(branch.branch.origin)[0].into(),
         ),
         Of::value("closed", "", "true if it is a closed curve", |branch| {
@@ -248,6 +248,7 @@ pub(super) fn origin(origin: Origin) -> [&'static str; 2] {
         Origin::SymmetryBreaking => ["symmetry_breaking", "from a symmetry breaking"],
         Origin::PeriodDoubling => ["period_doubling", "from a period doubling"],
         Origin::Meeting => ["meeting", "through the end of another branch"],
+        Origin::Within => ["within", "from within the range"],
         Origin::Jump => ["jump", "reached by a jump"],
     }
 }

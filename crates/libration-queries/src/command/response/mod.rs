@@ -62,11 +62,12 @@ const MOST_GENERATIONS: usize = 6;
 
 The parameter is a number in the equations or the frequency of the drive. At the
 ends of the range solutions are searched from --initial and near estimates with
-few harmonics, and where a slow sweep leaves all known stable ones by following
-the motion until it settles. Those with many harmonics and isolated closed
-branches (isolas) within the range can be missed: try --at, or --initial near
-them, or --orders, which finds sub- and superharmonic responses from the free
-oscillations that the drive can sustain; --turns is for rotating responses.
+few harmonics; if there are several wells, at three values within it too; and
+where a slow sweep leaves all known stable ones, by following the motion until
+it settles. Those with many harmonics and isolated closed branches (isolas)
+within the range can be missed: try --at, or --initial near them, or --orders,
+which finds sub- and superharmonic responses from the free oscillations that the
+drive can sustain; --turns is for rotating responses.
 Without a drive the solutions are limit cycles, to which the motion from
 --initial settles. Ctrl-C stops early and keeps what is done.")
 )]
