@@ -44,6 +44,8 @@ pub(super) struct Family<'w> {
     ranges: Vec<[f64; 2]>,
     /// The size of the coordinates where a motion does not show it.
     pub(super) scale: f64,
+    /// The size of motions under the drive by the inertia; zero if it is not known.
+    by_drive: f64,
     pub(super) watch: &'w Watch<'w>,
 }
 
@@ -125,9 +127,9 @@ fn is_of_other_units(size: f64) -> bool {
     size > 0.0 && size.is_finite() && !(OTHER_UNITS..=1.0 / OTHER_UNITS).contains(&size)
 }
 
-/// The size of motions under a drive, if it is [of other units](is_of_other_units), by the inertia: the largest rate at rest in a period, times the
-/// square of the time in which the phase is 1; otherwise 1.
-fn scale_of_drive(layout: &StateLayout, rates: &Tape, law: &DriveLaw, ranges: &[[f64; 2]]) -> f64 {
+/// The size of motions under a drive by the inertia: the largest rate at rest in a period, times the square of the time in which the phase is 1; zero
+/// if it is not known at both ends of the ranges.
+fn size_under_drive(layout: &StateLayout, rates: &Tape, law: &DriveLaw, ranges: &[[f64; 2]]) -> f64 {
     const TIMES: u32 = 16;
     let largest = [0, 1].map(|end| {
         let parameters: Vec<f64> = ranges.iter().map(|range| range[end]).collect();
@@ -146,10 +148,8 @@ fn scale_of_drive(layout: &StateLayout, rates: &Tape, law: &DriveLaw, ranges: &[
         };
         (0..TIMES).map(at).try_fold(0.0_f64, |largest, size| Some(largest.max(size?)))
     });
-    match largest.into_iter().flatten().fold(0.0, f64::max) {
-        size if is_of_other_units(size) && largest.iter().all(Option::is_some) => size,
-        _ => 1.0,
-    }
+    let is_known = largest.iter().all(Option::is_some);
+    if is_known { largest.into_iter().flatten().fold(0.0, f64::max) } else { 0.0 }
 }
 
 impl<'w> Family<'w> {
@@ -186,16 +186,19 @@ impl<'w> Family<'w> {
         watch: &'w Watch<'w>,
     ) -> Result<Self, BranchError> {
         let flow = Flow::new(equation, parameters, MOST_STEPS)?.for_many_steps();
-        let scale = beat.law().map_or(1.0, |law| scale_of_drive(&flow.layout, flow.rates(), law, ranges));
+        let by_drive =
+            beat.law().map_or(0.0, |law| size_under_drive(&flow.layout, flow.rates(), law, ranges));
+        let scale = if is_of_other_units(by_drive) { by_drive } else { 1.0 };
         let (layout, ranges) = (flow.layout.clone(), ranges.to_vec());
-        let (symmetry, mirror) = symmetry(&layout, flow.rates(), beat.law(), &ranges, scale);
-        Ok(Self { layout, symmetry, mirror, beat, flow, ranges, scale, watch })
+        let (symmetry, mirror) = symmetry(&layout, flow.rates(), beat.law(), &ranges, &[scale, by_drive]);
+        Ok(Self { layout, symmetry, mirror, beat, flow, ranges, scale, by_drive, watch })
     }
 
     /// The family with its symmetry, which is sought at motions of its scale.
     fn with_symmetry(mut self) -> Self {
         let Self { layout, flow, beat, ranges, .. } = &self;
-        (self.symmetry, self.mirror) = symmetry(layout, flow.rates(), beat.law(), ranges, self.scale);
+        let sizes = [self.scale, self.by_drive];
+        (self.symmetry, self.mirror) = symmetry(layout, flow.rates(), beat.law(), ranges, &sizes);
         self
     }
 
@@ -216,7 +219,8 @@ impl<'w> Family<'w> {
         };
         let Self { layout, flow, beat, ranges, .. } = self;
         let (changed, kept) = (counts(deviation), counts(state));
-        has_partial_mirror(layout, flow.rates(), beat.law(), ranges, self.scale, [&changed, &kept])
+        let sizes = [self.scale, self.by_drive];
+        has_partial_mirror(layout, flow.rates(), beat.law(), ranges, &sizes, [&changed, &kept])
     }
 
     /// `true` if a force jumps.

@@ -30,14 +30,14 @@ pub(super) fn symmetry(
     rates: &Tape,
     law: Option<&DriveLaw>,
     ranges: &[[f64; 2]],
-    scale: f64,
+    sizes: &[f64],
 ) -> (Option<Symmetry>, Mirror) {
     let zero = vec![0.0; layout.coordinates()];
     let middle: Vec<f64> = ranges.iter().map(|[low, high]| f64::midpoint(*low, *high)).collect();
     let period = law.map_or(Some(1.0), |law| law.period(&middle).map(|(period, _)| period.abs()));
-    let others = || period.map_or(vec![], |period| centres(layout, rates, (period, &middle), scale));
+    let others = || period.map_or(vec![], |period| centres(layout, rates, (period, &middle), sizes[0]));
     let about = |centre: Vec<f64>| {
-        let equation = Trial { layout, rates, law, ranges, scale, centre: &centre };
+        let equation = Trial { layout, rates, law, ranges, sizes, centre: &centre };
         let (symmetry, signs) = equation.symmetry()?;
         let (signs, centre) = (equation.of_state(&signs), layout.arrange(centre.iter().copied(), |_| 0.0));
         Some((Some(symmetry), Mirror::new(signs, &centre)))
@@ -53,11 +53,11 @@ pub(super) fn has_partial_mirror(
     rates: &Tape,
     law: Option<&DriveLaw>,
     ranges: &[[f64; 2]],
-    scale: f64,
+    sizes: &[f64],
     [changed, kept]: [&[bool]; 2],
 ) -> bool {
     let centre = &vec![0.0; layout.coordinates()];
-    let equation = Trial { layout, rates, law, ranges, scale, centre };
+    let equation = Trial { layout, rates, law, ranges, sizes, centre };
     let fits = |mirror: &Vec<f64>| {
         let signs = equation.of_state(mirror);
         let agrees =
@@ -88,8 +88,8 @@ struct Trial<'a> {
     rates: &'a Tape,
     law: Option<&'a DriveLaw>,
     ranges: &'a [[f64; 2]],
-    /// Another size of states that are tried: at that of the motions no other term hides the drive.
-    scale: f64,
+    /// Other sizes of states that are tried: at that of the motions no other term hides the drive, and the drive hides none.
+    sizes: &'a [f64],
     /// The coordinates about which mirror images are tried.
     centre: &'a [f64],
 }
@@ -108,14 +108,15 @@ impl Trial<'_> {
         candidates.find(|(symmetry, mirror)| self.has(shift(symmetry), mirror))
     }
 
-    fn scales(&self) -> impl Iterator<Item = f64> + use<> {
+    fn scales(&self) -> impl Iterator<Item = f64> + '_ {
         let kink = |operation: &Operation| matches!(operation, Operation::Abs(_) | Operation::Sign(_));
         let operations = self.rates.operations().iter().enumerate();
         let has_kinks =
             operations.into_iter().any(|(slot, operation)| kink(operation) && !self.rates.is_constant(slot));
         let [least, most] = if has_kinks { SCALES } else { [0, 0] };
-        let other = Some(self.scale).filter(|scale| scale.total_cmp(&1.0).is_ne());
-        (least..=most).step_by(2).map(|power| libm::ldexp(1.0, power)).chain(other)
+        let others =
+            self.sizes.iter().copied().filter(|size| size.is_normal() && size.total_cmp(&1.0).is_ne());
+        (least..=most).step_by(2).map(|power| libm::ldexp(1.0, power)).chain(others)
     }
 
     /// The signs of the components of a state: a velocity has the sign of its coordinate.

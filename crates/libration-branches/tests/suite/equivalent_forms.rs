@@ -49,7 +49,7 @@ fn assert_same(a: &str, b: &str, range: [f64; 2]) {
     first.assert_same(&second, &format!("{a}, {b}"));
 }
 
-/// Springs, a double well and a pendulum in millimetres and kilometres, about another centre than zero, in first order and with another phase.
+/// Springs, a double well and a pendulum in other units of length, about another centre than zero, in first order and with another phase.
 #[test]
 fn units_and_centres_change_neither_branches_nor_jumps() {
     type Force = fn(&str) -> String;
@@ -72,7 +72,7 @@ fn units_and_centres_change_neither_branches_nor_jumps() {
         let mut forms = vec![about("0.73"), about("(-12.5)"), driven(force("x"), &sine), first_order];
         // Angles have no other units.
         if !force("x").starts_with("sin") {
-            forms.extend(["1000", "(1/1000)"].map(in_units));
+            forms.extend(["1000", "(1/1000)", "(1/100000)", "10000000"].map(in_units));
         }
         for form in forms {
             plain.assert_same(&Outline::new(&form, [0.5, 2.2]), &form);
