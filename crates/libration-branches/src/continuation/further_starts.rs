@@ -49,6 +49,7 @@ impl Search<'_> {
     /// Values within the range at which motions between wells are searched, if branches have stable motions that do not pass the given state: such
     /// motions may be unstable at both ends.
     pub(super) fn values_between_wells(&self, branches: &[Branch]) -> Vec<f64> {
+        /// Parts of the range: a motion that is stable on less than a quarter of it may be missed.
         const PARTS: [f64; 3] = [0.25, 0.5, 0.75];
         let is_sought =
             self.family.is_driven() && self.options.rotation.is_none() && self.options.at.is_none();
