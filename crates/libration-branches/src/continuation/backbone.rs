@@ -1,6 +1,6 @@
 //! Backbone curve: the free oscillations of a driven oscillator, without the drive and without velocities in its force.
 
-use super::point::BranchPoint;
+use super::point::{BranchPoint, amplitude_of};
 use super::response::Response;
 use super::undriven::undriven;
 use libration_motion::orbit::Orbit;
@@ -18,7 +18,7 @@ pub struct FreeOscillation {
     pub parameter: f64,
     /// Estimate of the error of the parameter.
     pub error: f64,
-    /// The largest displacement, from which it is released.
+    /// The largest displacement, as [`BranchPoint::amplitude`]: at the point of release or at the other turning point.
     pub amplitude: f64,
 }
 
@@ -57,16 +57,20 @@ impl Response {
         let most = self.points().map(|point| point.amplitude(0, is_angle)).fold(0.0, f64::max);
         let most = if is_angle { most.min(0.999 * PI) } else { most };
         let amplitudes = (1..=POINTS).map(|k| most * f64::from(k) / f64::from(POINTS));
-        let of_amplitude = |amplitude| {
+        let of_amplitude = |released| {
             // No orbit if the equation still contains the parameter.
-            let orbit = Orbit::released(&free, amplitude, &Quiet).ok()?;
+            let orbit = Orbit::released(&free, released, &Quiet).ok()?;
+            let amplitude = amplitude_of(orbit.range(0).into(), is_angle, false);
             let parameter = periods * orbit.frequency();
             // Two rounding errors of the frequency, and those of the products that give the number of periods.
             let error = parameter * (orbit.period_uncertainty() / orbit.period() + 4.0 * f64::EPSILON);
             Some(FreeOscillation { parameter, error, amplitude })
         };
         let within = range[0].min(range[1])..=range[0].max(range[1]);
-        amplitudes.filter_map(of_amplitude).filter(|point| within.contains(&point.parameter)).collect()
+        let is_shown = |point: &FreeOscillation| {
+            within.contains(&point.parameter) && point.amplitude <= most * (1.0 + f64::EPSILON)
+        };
+        amplitudes.filter_map(of_amplitude).filter(is_shown).collect()
     }
 
     fn points(&self) -> impl Iterator<Item = &BranchPoint> {

@@ -2,6 +2,7 @@
 
 use crate::typed::equation;
 use libration::continuation::{Response, ResponseOptions};
+use libration::orbit::Orbit;
 use libration::progress::Quiet;
 
 /// A response as it is compared.
@@ -110,6 +111,38 @@ fn the_order_of_equations_does_not_change_a_hopf_point() {
         assert!(
             special.len() == 1 && (special[0].point.parameter - 2.0).abs() < 1e-13,
             "{text}: {special:?}"
+        );
+    }
+}
+
+/// Released on the near side of its equilibrium, a spring goes farther on the other side.
+#[test]
+fn free_oscillations_about_another_centre_have_their_largest_displacement() {
+    let text = "x'' = -x'/10 - (x - 0.73) - 2*(x - 0.73)^3 + 0.5*cos(w*t)";
+    let (driven, range) = (equation(text), [0.5, 2.2]);
+    let response = Response::over(&driven, "w", range, &ResponseOptions::default(), &Quiet).unwrap();
+    let backbone = response.backbone(&driven, range, false);
+    assert!(backbone.len() > 40, "{}", backbone.len());
+    let centred = equation("x'' = -x - 2*x^3");
+    for free in backbone {
+        assert!(free.amplitude >= 0.73, "{free:?}");
+        let orbit = Orbit::released(&centred, free.amplitude - 0.73, &Quiet).unwrap();
+        assert!((free.parameter - orbit.frequency()).abs() < 1e-12, "{free:?}");
+    }
+}
+
+/// The motion is stable between a period doubling and the fold for 2.6e-5 of w only, where the branch need not have a point.
+#[test]
+fn a_fold_next_to_a_period_doubling_is_a_jump() {
+    for wave in ["cos", "sin"] {
+        let double_well = format!("x'' = -0.13*x' + x - 2.585*x^3 + 1.071*{wave}(w*t)");
+        let options = ResponseOptions { generations: 2, ..ResponseOptions::default() };
+        let response = Response::over(&equation(&double_well), "w", [0.5, 2.2], &options, &Quiet).unwrap();
+        let mut jumps = response.jumps.iter().map(|jump| (jump.from.parameter, jump.rising));
+        assert!(
+            jumps.any(|(at, rising)| !rising && (at - 0.767_567_337_161_68).abs() < 1e-12),
+            "{wave}: {:?}",
+            jumps.collect::<Vec<_>>()
         );
     }
 }
