@@ -11,6 +11,9 @@ use std::f64::consts::{PI, TAU};
 /// Number of free oscillations on a backbone curve.
 const POINTS: u32 = 80;
 
+/// The largest amplitude with the rounding of a turning point, a billionth of a line in a picture.
+const ROUNDED: f64 = 1.0 + 1e-9;
+
 /// A free oscillation of a driven system.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FreeOscillation {
@@ -67,9 +70,8 @@ impl Response {
             Some(FreeOscillation { parameter, error, amplitude })
         };
         let within = range[0].min(range[1])..=range[0].max(range[1]);
-        let is_shown = |point: &FreeOscillation| {
-            within.contains(&point.parameter) && point.amplitude <= most * (1.0 + f64::EPSILON)
-        };
+        let is_shown =
+            |point: &FreeOscillation| within.contains(&point.parameter) && point.amplitude <= most * ROUNDED;
         amplitudes.filter_map(of_amplitude).filter(is_shown).collect()
     }
 
