@@ -21,6 +21,7 @@ pub mod internals {
     pub mod algebra {
         pub use crate::algebra::{
             common_denominator::composition,
+            complex::fourier,
             function::entry::{Domain, Growth, Parity, Slope},
             harmonics::{HarmonicPair, HarmonicSum, HarmonicSums, Number, PhaseRing},
             integer_polynomial::product,

@@ -148,11 +148,13 @@ impl Melnikov {
     fn zeros_of(&self, f: &dyn Fn(f64) -> f64) -> Vec<f64> {
         let intervals = PLACES * self.harmonics.len();
         let time = |j: usize| TAU * count(j) / count(intervals);
-        let ends: Vec<(f64, f64)> = (0..=intervals).map(|j| (time(j), f(time(j)))).collect();
+        // The last end is the first one, with its value: rounding must not hide a zero between the two.
+        let value = |j: usize| f(if j < intervals { time(j) } else { 0.0 });
+        let ends: Vec<(f64, f64)> = (0..=intervals).map(|j| (time(j), value(j))).collect();
         // A zero at an end belongs to the interval that begins there.
         let zero = |pair: &[(f64, f64)]| {
             let zero = (pair[1].1 != 0.0).then(|| zero_between([pair[0], pair[1]], Tolerance::LAST_BIT, f));
-            zero.flatten()
+            zero.flatten().map(|phase| phase.rem_euclid(TAU))
         };
         ends.windows(2).filter_map(zero).collect()
     }

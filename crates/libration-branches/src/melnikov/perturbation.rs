@@ -2,16 +2,20 @@
 
 use super::MelnikovError;
 use super::trigonometric::{Monomial, Names, Trigonometric};
+use libration_kernels::elementary::count;
 use libration_motion::{chaos::drive_period, internals::chaos::WrittenDrive};
 use libration_numbers::algebra::{Complex, Doubles};
 use libration_numbers::{
     expression::{Equation, Expression, Symbol},
-    internals::expression::{Jet, Tape},
+    internals::{
+        algebra::fourier,
+        expression::{Jet, Tape},
+    },
 };
 use std::f64::consts::TAU;
 
 /// Number of phases of the drive at which a function that is not a trigonometric polynomial is evaluated.
-const PHASES: u32 = 64;
+const PHASES: usize = 64;
 /// Number of harmonics taken from these phases; the harmonics above measure the truncation error.
 const HARMONICS: usize = 24;
 
@@ -128,17 +132,15 @@ impl PerturbedPendulum {
             coefficients[0] = coefficients[0] + at(0.0).into();
             return 0.0;
         }
-        let phase = |j: u32| f64::from(j) / f64::from(PHASES);
-        let values: Vec<f64> = (0..PHASES).map(|j| at(phase(j) * TAU / self.frequency)).collect();
-        let coefficient = |k: u32| -> Complex {
-            let turn = |j: u32| Complex::unit(-TAU * phase(j * k % PHASES));
-            (0..PHASES).zip(&values).map(|(j, value)| turn(j).scaled(value / f64::from(PHASES))).sum()
-        };
-        for (k, amplitude) in (0..).zip(coefficients.iter_mut()).take(HARMONICS + 1) {
-            *amplitude = *amplitude + coefficient(k);
+        let sample = |j: usize| at(count(j) / count(PHASES) * TAU / self.frequency).into();
+        let sums = fourier(&(0..PHASES).map(sample).collect::<Vec<Complex>>());
+        let resolved = sums.into_iter().map(|sum| sum.scaled(1.0 / count(PHASES))).take(PHASES / 2 + 1);
+        let resolved: Vec<Complex> = resolved.collect();
+        let (kept, omitted) = resolved.split_at(HARMONICS + 1);
+        for (amplitude, part) in coefficients.iter_mut().zip(kept) {
+            *amplitude = *amplitude + *part;
         }
-        let above = u32::try_from(HARMONICS).unwrap_or(u32::MAX) + 1..=PHASES / 2;
-        above.map(|k| coefficient(k).abs()).fold(0.0, f64::max)
+        omitted.iter().map(|part| part.abs()).fold(0.0, f64::max)
     }
 }
 

@@ -175,7 +175,8 @@ impl PerturbedPendulum {
     }
 
     /// Means of θ′·gₖ·e^{ikΩt} over a period of the motion for each harmonic k that is a
-    /// multiple of p, and a bound on their errors: by equal steps, halved until nothing changes.
+    /// multiple of p, and a bound on their errors: by equal steps, halved until nothing changes. A force with kinks, whose changes fall by a power of the
+    /// steps, is known as well as its half-widths are shown long before.
     fn mean_powers(
         &self,
         motion: &Motion,
@@ -185,44 +186,50 @@ impl PerturbedPendulum {
     ) -> Result<(Vec<Complex>, f64), Interrupted> {
         /// Rounding error relative to the sum of the magnitudes.
         const ROUNDING: f64 = 4e-15;
+        /// As much for forces with kinks, and the part of a change that the next one exceeds with them: for kinks up to the sixth derivative.
+        const KINKED: f64 = 1e-12;
+        const SLOW: f64 = 1.0 / 256.0;
         const FEWEST: u32 = 64;
         const DOUBLINGS: u32 = 9;
         let mut steps = FEWEST;
-        let mut previous = self.sums(motion, p, mirror, steps, watch)?;
+        let (mut means, mut size) = self.means(motion, p, mirror, [0.0, f64::from(steps)], watch)?;
         let mut change = f64::INFINITY;
         for _ in 0..DOUBLINGS {
+            let between = self.means(motion, p, mirror, [0.5, f64::from(steps)], watch)?;
             steps *= 2;
-            let next = self.sums(motion, p, mirror, steps, watch)?;
-            let pairs = next.0.iter().zip(&previous.0);
-            change = pairs.map(|(a, b)| (*a - *b).abs()).fold(0.0, f64::max);
-            previous = next;
-            if change <= ROUNDING * previous.1 {
+            let half_the_differences: Vec<Complex> =
+                between.0.iter().zip(&means).map(|(a, b)| (*a - *b).scaled(0.5)).collect();
+            let last = change;
+            change = half_the_differences.iter().map(|half| half.abs()).fold(0.0, f64::max);
+            means = means.iter().zip(&half_the_differences).map(|(mean, half)| *mean + *half).collect();
+            size = 0.5 * (size + between.1);
+            if change <= if change > SLOW * last { KINKED } else { ROUNDING } * size {
                 break;
             }
         }
-        let (sums, size) = previous;
-        Ok((sums, change + ROUNDING * size))
+        Ok((means, change + ROUNDING * size))
     }
 
-    fn sums(
+    /// Means over equal steps, of which the first begins at this part of a step.
+    fn means(
         &self,
         motion: &Motion,
         p: u32,
         mirror: f64,
-        steps: u32,
+        [first, steps]: [f64; 2],
         watch: &Watch<'_>,
     ) -> Result<(Vec<Complex>, f64), Interrupted> {
         let mut sums = vec![Complex::default(); self.harmonics() + 1];
         let mut size = 0.0;
         let drive = self.frequency().unwrap_or(0.0);
-        for j in 0..steps {
+        let mut step = first;
+        while step < steps {
             watch.go_on()?;
-            let share = f64::from(j) / f64::from(steps);
-            let time = share * motion.period();
+            let time = step / steps * motion.period();
             let state = motion.state_at(time);
             let (angle, velocity) = (mirror * state.angle, mirror * state.velocity);
             let (values, left) = self.harmonics_at(angle, velocity);
-            let weight = velocity / f64::from(steps);
+            let weight = velocity / steps;
             for ((k, value), sum) in (0_u32..).zip(&values).zip(&mut sums) {
                 if k % p == 0 {
                     *sum = *sum + (*value * Complex::unit(f64::from(k) * drive * time)).scaled(weight);
@@ -230,6 +237,7 @@ impl PerturbedPendulum {
                 }
             }
             size += left * weight.abs() * TAU;
+            step += 1.0;
         }
         Ok((sums, size))
     }

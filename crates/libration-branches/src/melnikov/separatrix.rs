@@ -105,7 +105,8 @@ impl Sum {
 }
 
 /// The integrals by the trapezoidal rule, whose error for analytic functions is e^{−2πd/h}, with d the
-/// distance of the nearest pole from the real axis and h the step, which is halved until nothing changes.
+/// distance of the nearest pole from the real axis and h the step, which is halved until nothing changes. Harmonics are known to the rounding of
+/// the largest, of which their transform leaves a part in each.
 fn by_quadrature(
     pendulum: &PerturbedPendulum,
     direction: f64,
@@ -123,12 +124,17 @@ fn by_quadrature(
             *change = (mean.value - sum.value).abs();
             *sum = mean;
         }
-        if changes.iter().zip(&sums).all(|(change, sum)| *change <= ROUNDING * sum.size) {
+        if changes.iter().all(|change| *change <= rounding(&sums)) {
             break;
         }
     }
-    let error = |(sum, change): (&Sum, f64)| (sum.value, change + ROUNDING * sum.size + sum.left);
+    let rounding = rounding(&sums);
+    let error = |(sum, change): (&Sum, f64)| (sum.value, change + rounding + sum.left);
     Ok(sums.iter().zip(changes).map(error).collect())
+}
+
+fn rounding(sums: &[Sum]) -> f64 {
+    ROUNDING * sums.iter().map(|sum| sum.size).fold(0.0, f64::max)
 }
 
 /// Sums over times at whole steps from a first one.

@@ -108,6 +108,33 @@ fn zeros_are_where_the_function_vanishes() {
     assert!((least - seen[0]).abs() < 1e-7 && least <= seen[0] && (most - seen[1]).abs() < 1e-7);
 }
 
+/// The largest value lies at the phase 0 but for rounding, and that of the derivative at 2π has the sign of the rounding of 2π.
+#[test]
+fn extremes_and_zeros_at_the_beginning_of_the_period_are_found() {
+    for half_turns in 0..24 {
+        let phase = PI * f64::from(half_turns);
+        let text =
+            format!("x'' + 0.1 x' + sin(x) = 0.4 cos(t + {phase:?}) + 0.1 cos(2t + {:?})", 2.0 * phase);
+        for melnikov in Melnikov::both(&perturbed(&text), &Quiet).unwrap() {
+            let values = (0..2000).map(|j| melnikov.at_phase(TAU * f64::from(j) / 2000.0) - melnikov.mean);
+            let seen = values.fold([0.0_f64; 2], |[low, high], value| [low.min(value), high.max(value)]);
+            for (extreme, seen) in melnikov.extremes().into_iter().zip(seen) {
+                assert!((extreme - seen).abs() < 1e-5, "{text}: {extreme} {seen}");
+            }
+        }
+        // A quarter of a turn on, the function itself vanishes there.
+        let text = format!("x'' + sin(x) = 0.4 sin(t + {phase:?}) + 0.1 sin(2t + {:?})", 2.0 * phase);
+        for melnikov in Melnikov::both(&perturbed(&text), &Quiet).unwrap() {
+            let zeros = melnikov.zeros();
+            assert_eq!(zeros.len() % 2, 0, "{text}: {zeros:?}");
+            assert!(
+                zeros.iter().any(|(phase, _)| sin(*phase).abs() < 1e-14 && cos(*phase) > 0.0),
+                "{zeros:?}"
+            );
+        }
+    }
+}
+
 /// B. V. Chirikov's resonance of a wave with a free rotation: its separatrix extends 2√a from the velocity of the wave.
 #[test]
 fn a_travelling_wave_locks_the_rotations_that_its_own_separatrix_holds() {
@@ -170,6 +197,37 @@ fn damping_must_be_made_up_for_within_a_resonance() {
     let expected = -0.01 * libration.motion.action() * libration.motion.frequency();
     assert!((libration.mean_power - expected).abs() < 1e-15);
     assert!(libration.threshold_factor() > 0.0 && libration.threshold_factor() < 1.0);
+}
+
+/// v|v| has a kink where a libration turns, so that sums over equal steps converge slowly; a rotation has none.
+#[test]
+fn forces_with_kinks_have_powers_within_their_errors() {
+    const STEPS: i32 = 100_000;
+    let driven = perturbed("x'' + sin(x) = -0.1 x' abs(x') + 0.3 cos(t)/(2 + cos(t))");
+    let resonances = driven.resonances(3, &Quiet).unwrap();
+    assert!(resonances.len() >= 4, "{resonances:?}");
+    let drive_mean = 0.3 * (1.0 - 2.0 / 3.0_f64.sqrt());
+    for resonance in resonances {
+        let sign = if resonance.direction < 0.0 { -1.0 } else { 1.0 };
+        let power = |step: i32| {
+            let time = (f64::from(step) + 0.3) / f64::from(STEPS) * resonance.motion.period();
+            let velocity = sign * resonance.motion.state_at(time).velocity;
+            velocity * (drive_mean - 0.1 * velocity * velocity.abs())
+        };
+        // In parts, whose sums are rounded less than one sum of all.
+        let sums: Vec<f64> = (0..STEPS)
+            .collect::<Vec<_>>()
+            .chunks(250)
+            .map(|part| part.iter().copied().map(power).sum())
+            .collect();
+        let expected = sums.iter().sum::<f64>() / f64::from(STEPS);
+        let difference = (resonance.mean_power - expected).abs();
+        assert!(
+            difference <= resonance.error && resonance.error < 1e-11,
+            "{difference:e} {:e}",
+            resonance.error
+        );
+    }
 }
 
 #[test]

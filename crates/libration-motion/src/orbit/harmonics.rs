@@ -2,8 +2,7 @@
 
 use super::periodic::Orbit;
 use libration_kernels::elementary::count;
-use libration_numbers::algebra::Complex;
-use std::f64::consts::TAU;
+use libration_numbers::{algebra::Complex, internals::algebra::fourier};
 
 /// The coefficients of cos nΩt and sin nΩt, with the time counted from the orbit's start.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -89,17 +88,4 @@ fn transform(samples: &[Complex]) -> Vec<Harmonic> {
         Harmonic { n, cosine: factor * sum.re, sine: -factor * sum.im }
     };
     sums.iter().take(samples.len() / 2).enumerate().map(term).collect()
-}
-
-/// Σ xⱼ·e^{−2πijk/N} for a power of two N, by recursive halving.
-fn fourier(samples: &[Complex]) -> Vec<Complex> {
-    if samples.len() < 2 {
-        return samples.to_vec();
-    }
-    let part = |first: usize| fourier(&samples.iter().skip(first).step_by(2).copied().collect::<Vec<_>>());
-    let (even, odd) = (part(0), part(1));
-    let turn = |k: usize| Complex::unit(-TAU * count(k) / count(samples.len()));
-    let turned: Vec<Complex> = odd.iter().enumerate().map(|(k, value)| turn(k) * *value).collect();
-    let sums = even.iter().zip(&turned).map(|(a, b)| *a + *b);
-    sums.chain(even.iter().zip(&turned).map(|(a, b)| *a - *b)).collect()
 }

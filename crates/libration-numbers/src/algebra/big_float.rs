@@ -123,13 +123,13 @@ impl BigFloat {
     /// sin x.
     #[must_use]
     pub fn sin(&self) -> Self {
-        Self(self.0.sin())
+        self.advanced_sine(0).unwrap_or_else(|| Self(self.0.sin()))
     }
 
     /// cos x.
     #[must_use]
     pub fn cos(&self) -> Self {
-        Self(self.0.cos())
+        self.advanced_sine(1).unwrap_or_else(|| Self(self.0.cos()))
     }
 
     /// arcsin x.

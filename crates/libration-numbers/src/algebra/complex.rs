@@ -1,5 +1,7 @@
 //! Complex numbers in `f64`.
 
+use libration_kernels::elementary::count;
+use std::f64::consts::TAU;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The complex number re + i·im.
@@ -107,4 +109,18 @@ impl std::iter::Sum for Complex {
     fn sum<I: Iterator<Item = Self>>(terms: I) -> Self {
         terms.fold(Self::default(), Add::add)
     }
+}
+
+/// Σ xⱼ·e^{−2πijk/N} for a power of two N, by recursive halving.
+#[must_use]
+pub fn fourier(samples: &[Complex]) -> Vec<Complex> {
+    if samples.len() < 2 {
+        return samples.to_vec();
+    }
+    let part = |first: usize| fourier(&samples.iter().skip(first).step_by(2).copied().collect::<Vec<_>>());
+    let (even, odd) = (part(0), part(1));
+    let turn = |k: usize| Complex::unit(-TAU * count(k) / count(samples.len()));
+    let turned: Vec<Complex> = odd.iter().enumerate().map(|(k, value)| turn(k) * *value).collect();
+    let sums = even.iter().zip(&turned).map(|(a, b)| *a + *b);
+    sums.chain(even.iter().zip(&turned).map(|(a, b)| *a - *b)).collect()
 }

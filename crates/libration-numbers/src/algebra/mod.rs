@@ -17,7 +17,8 @@ mod big_float;
 mod big_sine;
 #[doc(hidden)]
 pub(crate) mod common_denominator;
-mod complex;
+#[doc(hidden)]
+pub(crate) mod complex;
 mod decimal_digits;
 mod doubles;
 mod expected_denominators;
