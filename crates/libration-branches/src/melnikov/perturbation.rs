@@ -125,8 +125,10 @@ impl PerturbedPendulum {
     }
 
     fn add_rest(&self, tape: &Tape, [angle, velocity]: [f64; 2], coefficients: &mut [Complex]) -> f64 {
-        let at = |time: f64| {
-            Jet::new(&Doubles, tape, &[angle, velocity, time]).map_or(f64::NAN, |jet| jet.result(0)[0])
+        let mut jet = Jet::new(&Doubles, tape, &[angle, velocity, 0.0]);
+        let mut at = |time: f64| {
+            let Ok(jet) = &mut jet else { return f64::NAN };
+            jet.restart(&[angle, velocity, time]).map_or(f64::NAN, |()| jet.result(0)[0])
         };
         if !self.rest_depends_on_time {
             coefficients[0] = coefficients[0] + at(0.0).into();

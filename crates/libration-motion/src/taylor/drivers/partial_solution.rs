@@ -161,7 +161,12 @@ impl<'a> PartialSolution<'a> {
                     Stretch { coefficients: &coefficients, start, length, tolerance, rounding, is_last };
                 let error_at_start = || event_error_at_start(self.system, self.trajectory, event);
                 let all = contacts.zeros_in(&stretch, error_at_start).into_iter();
-                let wanted = all.filter(|(_, contact)| self.system.events()[event].counts(*contact));
+                let is_pole =
+                    |time: f64| sharp.is_some_and(|sharp| sharp.has_pole_at(step, &constants, time));
+                let crosses = |contact| matches!(contact, Contact::Rising | Contact::Falling);
+                let wanted = all.filter(|(time, contact)| {
+                    self.system.events()[event].counts(*contact) && !(crosses(*contact) && is_pole(*time))
+                });
                 zeros.extend(wanted.map(|(time, contact)| (time, event, contact)));
             }
         }

@@ -214,21 +214,35 @@ impl SharpFormula {
         }
     }
 
-    /// Returns `true` if the series do not represent the formula, and its values at both ends of a
-    /// part are much larger than at a distance of a million parts from them, which excludes a jump.
+    /// Returns `true` if the series do not represent the formula, and a pole lies in the part.
     fn has_pole(&self, jet: &Jet<'_, Doubles>, step: &Step<'_>, constants: &[f64], part: Waiting) -> bool {
         /// Difference of series and formula, relative to its values, from which they do not represent it.
         const NOTHING: f64 = 0.1;
-        /// Distance in parts: over it a pole of x^(-1/4) grows by `GROWTH`, and a weaker one is not recognised.
+        !self.agrees(jet, step, constants, part, NOTHING)
+            && self.grows_towards(step, constants, [part.start, part.start + part.length])
+    }
+
+    /// Returns `true` if a change of sign at a time is that of a pole: series may agree with a formula whose value next to its pole is all
+    /// rounding error.
+    pub(in crate::taylor) fn has_pole_at(&self, step: &Step<'_>, constants: &[f64], time: f64) -> bool {
+        let length = step.end() - step.start();
+        let near = (SHORTEST_PART * length.abs()).max(4.0 * f64::EPSILON * time.abs()) * length.signum();
+        self.ends && self.grows_towards(step, constants, [time - near, time + near])
+    }
+
+    /// Returns `true` if the values of the formula at both ends of a short time are much larger than at a distance of a million such times from
+    /// them, which excludes a jump and a zero.
+    fn grows_towards(&self, step: &Step<'_>, constants: &[f64], [start, end]: [f64; 2]) -> bool {
+        /// Distance in short times: over it a pole of x^(-1/4) grows by `GROWTH`, and a weaker one is not recognised.
         const AWAY: f64 = 1e6;
         const GROWTH: f64 = 32.0;
         let [from, to] = [step.start(), step.end()];
         let value = |time: f64| self.value(step, constants, time.clamp(from.min(to), from.max(to))).abs();
-        let end = part.start + part.length;
-        let at_end = [part.start - from, to - end].map(|way| way.abs() <= part.length.abs());
-        let sides = [(part.start, part.start - AWAY * part.length), (end, end + AWAY * part.length)];
+        let length = end - start;
+        let at_end = [start - from, to - end].map(|way| way.abs() <= length.abs());
+        let sides = [(start, start - AWAY * length), (end, end + AWAY * length)];
         let grows = sides.map(|(near, far)| value(near) > GROWTH * value(far));
-        !self.agrees(jet, step, constants, part, NOTHING) && (0..2).all(|side| grows[side] || at_end[side])
+        (0..2).all(|side| grows[side] || at_end[side])
     }
 
     fn has_values(&self, step: &Step<'_>, constants: &[f64], part: Waiting) -> bool {
