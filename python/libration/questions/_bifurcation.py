@@ -24,6 +24,7 @@ def bifurcation(
     points: int | None = None,
     tolerance: Value | None = None,
     fold: bool = False,
+    no_errors: bool = False,
     axis: Coordinate | None = None,
     figure: Path | None = None,
     size: Literal["page", "column", "slide"] | None = None,
@@ -66,6 +67,8 @@ def bifurcation(
         The relative error allowed in each step [default: 1e-12].
     fold : bool
         Reduce angles to the range from −π to π, as pictures always do.
+    no_errors : bool
+        Do not estimate the errors of the states, which saves time.
     axis : coordinate, optional
         The state variable that the picture shows [default: the first coordinate, or its velocity if
         it is an angle].

@@ -173,6 +173,7 @@ fn a_bifurcation_diagram_follows_the_fixed_points() {
         parameter: "r",
         section: &section,
         points: Points { skipped: 100, recorded: 2 },
+        with_errors: false,
     };
     let columns = compute_bifurcation_diagram(
         &family,

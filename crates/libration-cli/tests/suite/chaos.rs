@@ -1,6 +1,6 @@
 //! `libration section`, `libration bifurcation` and `libration lyapunov`.
 
-use crate::command::{directory, json, message, run};
+use crate::command::{directory, json, message, run, unfolded};
 use serde_json::Value;
 use std::process::{Command, Stdio};
 use std::time::Duration;
@@ -65,6 +65,32 @@ fn points_of_a_section_have_errors() {
     }
     let table = String::from_utf8(answered(&[&chaotic[..], &DRIVEN[..5]].concat())).unwrap();
     assert!(table.contains("later points are those of a"), "{table}");
+}
+
+/// The motions for A = 1 and 1.1 are periodic, that for 1.2 is chaotic and not determined after some thirty periods.
+#[test]
+fn points_of_a_diagram_have_errors() {
+    let arguments = ["bifurcation", "driven_pendulum", "--set", "c=1/2", "--initial", "theta=0.2"];
+    let arguments = [&arguments[..], &["--over", "A=1:1.2:0.1", "--points", "2", "--skip", "60"]].concat();
+    let answer = ask(&[&arguments[..], &["--json"]].concat());
+    let points = answer["points"].as_array().unwrap();
+    for point in points {
+        let errors = [&point["time_error_s"], &point["error"][0], &point["error"][1]];
+        let is_periodic = point["value"].as_f64().unwrap() < 1.15;
+        assert!(errors.iter().all(|error| error.is_f64() == is_periodic), "{point}");
+        assert!(!is_periodic || numbers(&point["error"]).iter().all(|error| *error < 1e-9), "{point}");
+    }
+    let table = String::from_utf8(answered(&arguments)).unwrap();
+    assert!(unfolded(&table).contains("1 of 3 motions are not determined in double precision"), "{table}");
+    let csv = String::from_utf8(answered(&[&arguments[..], &["--csv"]].concat())).unwrap();
+    let lines: Vec<&str> = csv.lines().collect();
+    assert_eq!(lines[0], "sweep,A,time_s,theta,theta',time_error_s,theta_error,theta'_error");
+    assert!(lines[6].ends_with(",,,"), "{}", lines[6]);
+    let without = ask(&[&arguments[..], &["--json", "--no-errors"]].concat());
+    assert_eq!(
+        (&without["points"][5]["error"], &without["points"][5]["state"]),
+        (&Value::Null, &points[5]["state"])
+    );
 }
 
 #[test]

@@ -1,7 +1,8 @@
 //! Bifurcation diagrams: the section of a motion for each value of a parameter.
 
 use super::section::{
-    PoincareSection, Points, Section, SectionEnding, SectionError, compute_section, flashes,
+    PoincareSection, Points, Section, SectionEnding, SectionError, compute_section,
+    compute_section_with_errors, flashes,
 };
 use crate::taylor::{Cause, Effort, Moment, System, Trajectory, integrate_many_stepwise};
 use libration_numbers::algebra::BigFloat;
@@ -20,6 +21,9 @@ pub struct Family<'a> {
     pub section: &'a Section,
     /// The numbers of points to skip and to record.
     pub points: Points,
+    /// Whether the error of each point is estimated, as by [`compute_section_with_errors`](super::compute_section_with_errors). The start of each
+    /// motion counts as exact, also where it is the last state of another.
+    pub with_errors: bool,
 }
 
 /// The initial state of the motion for each value of the parameter.
@@ -71,7 +75,7 @@ pub enum DiagramError {
 /// let equation = "theta'' + theta'/2 + sin(theta) = A*cos(2t/3)".parse()?;
 /// let section = Section::Stroboscope { period: None, phase: 0.0 };
 /// let points = Points { skipped: 100, recorded: 4 };
-/// let family = Family { equation: &equation, parameter: "A", section: &section, points };
+/// let family = Family { equation: &equation, parameter: "A", section: &section, points, with_errors: false };
 /// let start = Moment { time: 0.0, state: vec![0.2, 0.0] };
 /// let effort = Effort::to_tolerance(1e-10);
 /// let columns = compute_bifurcation_diagram(&family, &[0.9, 1.0], &start, Continuation::SameStart, &effort, &Quiet)?;
@@ -94,7 +98,7 @@ pub fn compute_bifurcation_diagram(
     }
     let cut = family.section.with_period_of(family.equation);
     match (continuation, &cut) {
-        (Continuation::SameStart, Section::Stroboscope { .. }) => {
+        (Continuation::SameStart, Section::Stroboscope { .. }) if !family.with_errors => {
             family.side_by_side(&cut, values, start, effort, watch)
         }
         _ => family.one_by_one(&cut, values, start, continuation, effort, watch),
@@ -116,6 +120,7 @@ impl Family<'_> {
         effort: &Effort,
         watch: &Watch<'_>,
     ) -> Result<Vec<DiagramColumn>, DiagramError> {
+        let compute = if self.with_errors { compute_section_with_errors } else { compute_section };
         let mut columns: Vec<DiagramColumn> = Vec::with_capacity(values.len());
         for &value in values {
             let equation = self.equation_at(value)?;
@@ -124,7 +129,7 @@ impl Family<'_> {
                 (Continuation::LastState, Some(last)) => continued(last, cut, &equation),
                 _ => start.clone(),
             };
-            let section = compute_section(&equation, &from, cut, self.points, effort, &watch.part())?;
+            let section = compute(&equation, &from, cut, self.points, effort, &watch.part())?;
             if section.stopped == Some(SectionEnding::Stopped(Cause::Interrupted)) {
                 break;
             }

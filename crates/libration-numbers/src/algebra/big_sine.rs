@@ -1,7 +1,7 @@
 //! Sine and cosine of a float.
 //!
-//! The nearest multiple of π/2 is subtracted, and Taylor's series is summed, in integers: in units of 2^−(precision + guard). This takes a few
-//! microseconds for a hundred digits, a fortieth of what the general float takes.
+//! The nearest multiple of π/2 is subtracted, and Taylor's series is summed, in integers: in units of 2^−(precision + guard). This takes a
+//! fraction of the time of the operations of a float, each of which is rounded.
 
 use dashu_base::{BitTest, DivEuclid, RemEuclid};
 use dashu_int::IBig;

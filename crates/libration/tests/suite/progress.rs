@@ -288,7 +288,7 @@ fn sections_and_diagrams_stop_with_the_points_until_then() {
             |progress| compute_section(&one, &at(&[1.0, 0.0]), &cut, points, &effort, progress).unwrap(),
             |outcome, whole| whole.points.starts_with(&outcome.points),
         );
-        let family = Family { equation: &driven, parameter: "A", section: &cut, points };
+        let family = Family { equation: &driven, parameter: "A", section: &cut, points, with_errors: false };
         for how in [Continuation::SameStart, Continuation::LastState] {
             let values = [1.0, 1.2, 1.4];
             stops(

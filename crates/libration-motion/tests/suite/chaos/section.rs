@@ -50,7 +50,7 @@ fn diagram(
     points: Points,
 ) -> Vec<DiagramColumn> {
     let equation = equation.parse().unwrap();
-    let family = Family { equation: &equation, parameter: "A", section: &FLASH, points };
+    let family = Family { equation: &equation, parameter: "A", section: &FLASH, points, with_errors: false };
     let effort = Effort::to_tolerance(1e-12);
     compute_bifurcation_diagram(&family, values, &from(state), how, &effort, &Quiet).unwrap()
 }
@@ -111,6 +111,27 @@ fn points_of_chaotic_motions_have_errors_as_long_as_they_are_determined() {
                 assert!((value - other).abs() <= *error, "t = {}: {value} {other} ± {error}", point.time);
             }
         }
+    }
+}
+
+/// A periodic motion has an error for each point, a chaotic one as long as it is determined; without errors the points have the same bits.
+#[test]
+fn points_of_a_diagram_have_errors_as_long_as_they_are_determined() {
+    let (text, values, points) =
+        ("x'' = -x'/4 + x - x^3 + A*cos(t)", [0.1, 0.4], Points { skipped: 0, recorded: 200 });
+    let equation = text.parse().unwrap();
+    for how in [Continuation::SameStart, Continuation::LastState] {
+        let family =
+            Family { equation: &equation, parameter: "A", section: &FLASH, points, with_errors: true };
+        let effort = Effort::to_tolerance(1e-12);
+        let columns =
+            compute_bifurcation_diagram(&family, &values, &from(&[0.3, 0.1]), how, &effort, &Quiet).unwrap();
+        for (column, plain) in columns.iter().zip(diagram(text, &values, &[0.3, 0.1], how, points)) {
+            assert_eq!((&column.section.points, &plain.section.errors), (&plain.section.points, &None));
+        }
+        let errors = [0, 1].map(|column: usize| columns[column].section.errors.as_ref().unwrap());
+        assert!(errors[0].determined_until.is_none() && errors[0].of_points.len() == 200, "{how:?}");
+        assert!(errors[1].determined_until.is_some() && errors[1].of_points.len() < 150, "{how:?}");
     }
 }
 
@@ -353,7 +374,7 @@ fn a_surface_that_moves_comes_to_a_motion_at_rest() {
 fn interruptions_keep_what_is_done() {
     let equation = "theta'' + theta'/2 + sin(theta) = A cos(2t/3)".parse().unwrap();
     let points = Points { skipped: 5, recorded: 20 };
-    let family = Family { equation: &equation, parameter: "A", section: &FLASH, points };
+    let family = Family { equation: &equation, parameter: "A", section: &FLASH, points, with_errors: false };
     let stop = |limit: usize| {
         move |status: Status| {
             if status.done >= limit { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
@@ -477,7 +498,8 @@ fn a_sweep_over_the_frequency_goes_on_at_the_phase_of_the_drive() {
     let equation = "x'' = -x - x'/2 + cos(A*t)".parse().unwrap();
     let section = Section::Stroboscope { period: None, phase: 0.25 };
     let points = Points { skipped: 0, recorded: 3 };
-    let family = Family { equation: &equation, parameter: "A", section: &section, points };
+    let family =
+        Family { equation: &equation, parameter: "A", section: &section, points, with_errors: false };
     let effort = Effort::to_tolerance(1e-12);
     let columns = compute_bifurcation_diagram(
         &family,

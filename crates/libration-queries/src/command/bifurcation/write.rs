@@ -1,20 +1,22 @@
 //! The points of a bifurcation diagram as table, JSON and CSV.
 
 use super::{Diagram, DiagramSweep};
+use crate::command::section::point_errors::{self, PointErrors};
 use crate::output::description::{self, Answers, descriptions};
 use crate::output::field::{Field, Fields};
 use crate::output::json;
 use crate::output::table::{Column, Table, sheet};
 use crate::output::{Form, csv, number};
-use libration::chaos::{Points, SectionEnding};
+use libration::chaos::{PoincareSection, Points, SectionEnding};
 use std::io::{self, Write};
 
 /// One point: the sweep, the value of the parameter, time and state.
-pub(crate) struct DiagramPoint {
+pub(crate) struct DiagramPoint<'a> {
     sweep: &'static str,
     value: f64,
     time: f64,
     state: Vec<f64>,
+    errors: PointErrors<'a>,
 }
 
 impl Diagram<'_> {
@@ -28,20 +30,46 @@ impl Diagram<'_> {
     }
 
     /// All points, with angles folded if requested.
-    pub(crate) fn rows(&self) -> impl Iterator<Item = DiagramPoint> + '_ {
+    pub(crate) fn rows(&self) -> impl Iterator<Item = DiagramPoint<'_>> + '_ {
         let columns =
             self.sweeps.iter().flat_map(|sweep| sweep.columns.iter().map(move |column| (sweep.name, column)));
         columns
             .flat_map(|(sweep, column)| {
-                column.section.points.iter().map(move |point| (sweep, column.value, point))
+                column
+                    .section
+                    .points
+                    .iter()
+                    .enumerate()
+                    .map(move |(index, point)| (sweep, column, index, point))
             })
-            .map(|(sweep, value, point)| DiagramPoint {
+            .map(|(sweep, column, index, point)| DiagramPoint {
                 sweep,
-                value,
+                value: column.value,
                 time: point.time,
                 state: self.options.shown(&point.state, &self.angles),
+                errors: PointErrors::of(&column.section, index),
             })
     }
+
+    /// Returns `true` if errors were estimated.
+    fn has_errors(&self) -> bool {
+        self.sections().any(|section| section.errors.is_some())
+    }
+
+    /// How many motions are not determined throughout; `None` if all are.
+    fn determined_text(&self) -> Option<String> {
+        let is_lost = |section: &&PoincareSection| {
+            section.errors.as_ref().is_some_and(|errors| errors.determined_until.is_some())
+        };
+        let lost = self.sections().filter(is_lost).count();
+        (lost > 0).then(|| {
+            let all = self.sections().count();
+            format!(
+                "{lost} of {all} motions are not determined in double precision to their end: points without errors are those of nearby motions"
+            )
+        })
+    }
+
     /// Returns `true` if each sweep has all values.
     pub(super) fn is_complete(&self) -> bool {
         self.sweeps.iter().all(|sweep: &DiagramSweep| sweep.columns.len() == self.parameter.values.len())
@@ -49,10 +77,12 @@ impl Diagram<'_> {
 
     /// The first reason for a missing point; `None` if there are points.
     pub(super) fn without_points(&self) -> Option<SectionEnding> {
-        let sections = || self.sweeps.iter().flat_map(|sweep| &sweep.columns).map(|column| &column.section);
-        sections()
-            .find_map(|section| section.stopped)
-            .filter(|_| sections().all(|section| section.points.is_empty()))
+        let stopped = self.sections().find_map(|section| section.stopped);
+        stopped.filter(|_| self.sections().all(|section| section.points.is_empty()))
+    }
+
+    fn sections(&self) -> impl Iterator<Item = &PoincareSection> {
+        self.sweeps.iter().flat_map(|sweep| &sweep.columns).map(|column| &column.section)
     }
 
     fn write_json(&self, out: &mut dyn Write) -> io::Result<()> {
@@ -63,17 +93,21 @@ impl Diagram<'_> {
 
     fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
         let fields = of_row();
-        let names = fields.csv_names_for(&self.parameter.name);
-        csv::line(out, &[names, self.model.state_names()].concat())?;
+        let mut names = [fields.csv_names_for(&self.parameter.name), self.model.state_names()].concat();
+        if self.has_errors() {
+            names.extend(point_errors::csv_names(self.model));
+        }
+        csv::line(out, &names)?;
         for row in self.rows() {
-            let state = row.state.iter().map(|&value| csv::number(value));
-            csv::line(out, &fields.csv_cells(&row).into_iter().chain(state).collect::<Vec<_>>())?;
+            let numbers = row.errors.csv_cells(&row.state);
+            csv::line(out, &fields.csv_cells(&row).into_iter().chain(numbers).collect::<Vec<_>>())?;
         }
         Ok(())
     }
 
     fn write_table(&self, out: &mut dyn Write, listed: bool) -> io::Result<()> {
         let mut lines = of_diagram().lines(self);
+        lines.extend(self.determined_text().map(|text| ("determined", text)));
         lines.extend(self.stopped().map(|text| ("stopped", text)));
         sheet(out, &lines)?;
         if !listed {
@@ -81,12 +115,12 @@ impl Diagram<'_> {
         }
         writeln!(out)?;
         let fields = of_row();
-        let state = self.model.state_names().into_iter().map(Column::numbers);
+        let numbers = ["time".to_owned()].into_iter().chain(self.model.state_names()).map(Column::numbers);
         let columns = fields.columns_for(&self.parameter.name);
-        let mut table = Table::new(columns.into_iter().chain(state).collect());
+        let mut table = Table::new(columns.into_iter().chain(numbers).collect());
         for row in self.rows() {
-            let state = row.state.iter().map(|&value| number::short(value, 10));
-            table.row(out, fields.cells(&row).into_iter().chain(state).collect())?;
+            let numbers = row.errors.cells(row.time, &row.state);
+            table.row(out, fields.cells(&row).into_iter().chain(numbers).collect())?;
         }
         table.finish(out)
     }
@@ -139,24 +173,28 @@ fn of_diagram<'a>() -> Fields<Diagram<'a>> {
     ])
 }
 
-fn of_row() -> Fields<DiagramPoint> {
-    type Of = Field<DiagramPoint>;
+fn of_row<'a>() -> Fields<DiagramPoint<'a>> {
+    type Of<'a> = Field<DiagramPoint<'a>>;
     Fields::from([
         Of::value("sweep", "", "order of the values: up, down or same start", |point| point.sweep.into())
             .numeral("sweep", |point| point.sweep.to_owned()),
         Of::number("value", "", "value of the parameter, in its unit", |point| point.value)
             .in_csv_as("KEY")
             .short("KEY", 10),
-        Of::number("time_s", "s", "time of the point", |point| point.time).short("time", 10),
+        Of::number("time_s", "s", "time of the point", |point| point.time),
         Of::value("state[]", "", "state there, in the order of the names", |point| {
             json::numbers(&point.state)
         }),
+        Of::present_value("time_error_s", "s", point_errors::MEANING, |point| point.errors.of_time())
+            .only_json(),
+        Of::present_value("error[]", "", point_errors::MEANING, |point| point.errors.of_state(&point.state)),
     ])
 }
 
 pub(crate) fn answers() -> Vec<Answers> {
     const NUMBER: description::DescriptionRow = ("NAME", "", "state variable of this name");
     let json = [of_diagram().described(""), of_row().described("points[].")];
-    let csv = [of_row().described_in_csv(), descriptions("", &[NUMBER])];
+    let csv =
+        [of_row().described_in_csv(), descriptions("", &[&[NUMBER], &point_errors::IN_CSV[..]].concat())];
     vec![Answers { command: "bifurcation", option: "", json: json.concat(), csv: csv.concat() }]
 }

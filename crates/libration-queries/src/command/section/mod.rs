@@ -1,5 +1,6 @@
 //! `libration section`: Poincaré sections.
 
+pub(crate) mod point_errors;
 mod write;
 
 use crate::arguments::{

@@ -1,12 +1,12 @@
 //! The points of a section as table, JSON and CSV.
 
 use super::SectionResult;
+use super::point_errors::{self, PointErrors};
 use crate::output::description::{self, Answers, descriptions};
 use crate::output::field::{Field, Fields};
 use crate::output::json;
 use crate::output::table::{Column, Table, sheet};
 use crate::output::{Form, csv, number};
-use libration::taylor::MomentErrors;
 use serde_json::Value;
 use std::io::{self, Write};
 
@@ -27,7 +27,7 @@ impl SectionResult<'_> {
                 motion,
                 time: point.time,
                 state: self.options.shown(&point.state, &self.angles),
-                errors: section.errors.as_ref().map(|errors| errors.of_points.get(index)),
+                errors: PointErrors::of(section, index),
             })
         })
     }
@@ -51,16 +51,11 @@ impl SectionResult<'_> {
         let fields = of_row();
         let mut names = [fields.csv_names(), self.model.state_names()].concat();
         if self.has_errors() {
-            names.push(TIME_ERROR.0.to_owned());
-            names.extend(self.model.state_names().iter().map(|name| csv::error_of(name)));
+            names.extend(point_errors::csv_names(self.model));
         }
         csv::line(out, &names)?;
         for row in self.rows() {
-            let errors = row
-                .errors()
-                .into_iter()
-                .flat_map(|MomentErrors { time, state, .. }| [vec![time], state].concat());
-            let numbers = row.state.iter().copied().chain(errors).map(csv::number);
+            let numbers = row.errors.csv_cells(&row.state);
             csv::line(out, &fields.csv_cells(&row).into_iter().chain(numbers).collect::<Vec<_>>())?;
         }
         Ok(())
@@ -78,13 +73,8 @@ impl SectionResult<'_> {
         let numbers = ["time".to_owned()].into_iter().chain(self.model.state_names()).map(Column::numbers);
         let mut table = Table::new(fields.columns().into_iter().chain(numbers).collect());
         for row in self.rows() {
-            let errors = row.errors.flatten();
-            let cell =
-                |value: f64, error: Option<f64>| number::to_its_error(value, error.unwrap_or(0.0), DIGITS);
-            let state = row.state.iter().enumerate();
-            let state = state.map(|(i, &value)| cell(value, errors.map(|errors| errors.state[i])));
-            let time = cell(row.time, errors.map(|errors| errors.time));
-            table.row(out, fields.cells(&row).into_iter().chain([time]).chain(state).collect())?;
+            let numbers = row.errors.cells(row.time, &row.state);
+            table.row(out, fields.cells(&row).into_iter().chain(numbers).collect())?;
         }
         table.finish(out)
     }
@@ -117,17 +107,7 @@ struct SectionRow<'a> {
     motion: usize,
     time: f64,
     state: Vec<f64>,
-    /// The errors, if errors were estimated and the motion is determined.
-    errors: Option<Option<&'a MomentErrors>>,
-}
-
-impl SectionRow<'_> {
-    /// The errors of time and state, NaN where the motion is not determined; `None` if they were not estimated.
-    fn errors(&self) -> Option<MomentErrors> {
-        let unknown =
-            || MomentErrors { time: f64::NAN, state: vec![f64::NAN; self.state.len()], formulas: vec![] };
-        self.errors.map(|errors| errors.cloned().unwrap_or_else(unknown))
-    }
+    errors: PointErrors<'a>,
 }
 
 fn of_answer<'a>() -> Fields<SectionResult<'a>> {
@@ -182,27 +162,15 @@ fn of_row<'a>() -> Fields<SectionRow<'a>> {
         .numeral("motion", |row| row.motion.to_string()),
         Of::number("time_s", "s", "time of the point", |row| row.time),
         Of::value("state[]", "", "state there, in the order of the names", |row| json::numbers(&row.state)),
-        Of::present_value("time_error_s", "s", OF_ERRORS, |row| Some(json::number(row.errors()?.time)))
-            .only_json(),
-        Of::present_value("error[]", "", OF_ERRORS, |row| Some(json::numbers(&row.errors()?.state))),
+        Of::present_value("time_error_s", "s", point_errors::MEANING, |row| row.errors.of_time()).only_json(),
+        Of::present_value("error[]", "", point_errors::MEANING, |row| row.errors.of_state(&row.state)),
     ])
 }
-
-const OF_ERRORS: &str = "estimate of the error, null where the motion is not determined; left out with --no-errors, and for a state of more than 64 numbers";
-
-/// The errors in CSV.
-const TIME_ERROR: description::DescriptionRow = (
-    "time_error_s",
-    "s",
-    "estimate of the error of the time, empty where the motion is not determined; left out with --no-errors, and for a state of more than 64 numbers",
-);
-const ERROR: description::DescriptionRow = ("NAME_error", "", "that of the column of this name");
-/// Number of digits of values in the table.
-const DIGITS: usize = 10;
 
 pub(crate) fn answers() -> Vec<Answers> {
     const NUMBER: description::DescriptionRow = ("NAME", "", "state variable of this name");
     let json = [of_answer().described(""), of_row().described("points[].")];
-    let csv = [of_row().described_in_csv(), descriptions("", &[NUMBER, TIME_ERROR, ERROR])];
+    let csv =
+        [of_row().described_in_csv(), descriptions("", &[&[NUMBER], &point_errors::IN_CSV[..]].concat())];
     vec![Answers { command: "section", option: "", json: json.concat(), csv: csv.concat() }]
 }
