@@ -16,6 +16,7 @@
 //!     parameter: "A",
 //!     section: &Section::Stroboscope { period: None, phase: 0.0 },
 //!     points: Points { skipped: 300, recorded: 3 },
+//!     with_errors: false,
 //! };
 //! let start = Moment { time: 0.0, state: vec![0.2, 0.0] };
 //! let effort = Effort::to_tolerance(1e-9);
