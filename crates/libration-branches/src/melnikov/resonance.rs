@@ -186,8 +186,9 @@ impl PerturbedPendulum {
     ) -> Result<(Vec<Complex>, f64), Interrupted> {
         /// Rounding error relative to the sum of the magnitudes.
         const ROUNDING: f64 = 4e-15;
-        /// As much for forces with kinks, and the part of a change that the next one exceeds with them: for kinks up to the sixth derivative.
+        /// Error relative to that sum with which a force with kinks is known well enough: half-widths have six digits.
         const KINKED: f64 = 1e-12;
+        /// Ratio of a change to the last one from which there is a kink: a jump of the nth derivative has 2^−(n + 1).
         const SLOW: f64 = 1.0 / 256.0;
         const FEWEST: u32 = 64;
         const DOUBLINGS: u32 = 9;

@@ -683,7 +683,8 @@ fn no_bytes_make_a_reader_panic_in_a_sweep() {
         Choices { x: Some(Column::Number(1)), y: Some(Column::Number(2)), ..Choices::default() },
     ];
     let (mut read, mut tables) = (0, 0);
-    for _ in 0..sweep::number(6_000, 30_000) {
+    let files = sweep::number(6_000, 30_000);
+    for _ in 0..files {
         let length = 12 + next(5);
         let bytes: Vec<u8> = (0..length).flat_map(|_| PIECES[next(PIECES.len())]).copied().collect();
         let table = Table::read(&bytes, &ReadOptions::default());
@@ -692,7 +693,10 @@ fn no_bytes_make_a_reader_panic_in_a_sweep() {
         let traces = choices.iter().filter(|choices| recording.traces(choices).is_ok()).count();
         read += traces + usize::from(recording.gate_times(&choices[0]).is_ok());
     }
-    assert!(read > 20 && tables > 20, "only {read} recordings and {tables} tables were read at all");
+    assert!(
+        read > files / 300 && tables > files / 300,
+        "only {read} recordings and {tables} tables were read at all"
+    );
     let book = include_bytes!("../data/workbook.xls");
     for _ in 0..sweep::number(500, 2_000) {
         let mut bytes = book.to_vec();

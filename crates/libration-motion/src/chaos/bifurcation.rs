@@ -21,7 +21,7 @@ pub struct Family<'a> {
     pub section: &'a Section,
     /// The numbers of points to skip and to record.
     pub points: Points,
-    /// Whether the error of each point is estimated, as by [`compute_section_with_errors`](super::compute_section_with_errors). The start of each
+    /// `true` if the error of each point is estimated, as by [`compute_section_with_errors`](super::compute_section_with_errors). The start of each
     /// motion counts as exact, also where it is the last state of another.
     pub with_errors: bool,
 }

@@ -261,9 +261,13 @@ impl SectionOfMotion<'_> {
         watch: &Watch<'_>,
     ) -> Result<PoincareSection, SectionError> {
         const STEPS: usize = 2000;
+        /// Stretches without a crossing after which none is expected, and as many of a formula with a boundary, where a step with a pole takes a
+        /// thousand times longer: some ten thousand periods.
         const QUIET: usize = 200;
+        const QUIET_WITH_BOUNDARY: usize = 10;
         let Self { start, points, effort, .. } = *self;
         let stretch = Effort { most_steps: STEPS.min(effort.most_steps), ..*effort };
+        let most_quiet = if system.has_boundary(0) { QUIET_WITH_BOUNDARY } else { QUIET };
         let mut errors = self.errors(system);
         let (mut at, mut so_far, mut quiet, mut horizon) = (start.clone(), vec![], 0, NEAREST);
         let stopped = loop {
@@ -284,7 +288,7 @@ impl SectionOfMotion<'_> {
             match cause {
                 _ if so_far.len() >= points.skipped + points.recorded => break None,
                 None if horizon < NEVER => horizon *= FARTHER,
-                Some(Cause::StepLimit) if quiet < QUIET && !is_over => {}
+                Some(Cause::StepLimit) if quiet < most_quiet && !is_over => {}
                 Some(Cause::StepLimit | Cause::OutOfRange) | None => break Some(no_more(so_far.is_empty())),
                 Some(cause) => break Some(SectionEnding::Stopped(cause)),
             }

@@ -2,7 +2,7 @@
 
 use super::values::plain_name;
 use super::{count, positive};
-use crate::output::number;
+use crate::output::{Form, number};
 use crate::query_error::{Parameter, QueryError, option};
 use libration::chaos::{Points, Section, SectionError, drive_period, folded};
 use libration::expression::{Equation, Expression};
@@ -40,6 +40,9 @@ pub(crate) struct SectionOptions {
     /// Reduce angles to the range from −π to π, as pictures always do
     #[arg(long)]
     fold: bool,
+    /// Do not estimate the errors of the states, which saves time
+    #[arg(long)]
+    no_errors: bool,
 }
 
 /// The direction in which a formula crosses zero.
@@ -98,6 +101,11 @@ impl SectionOptions {
     pub(crate) fn points_of_attractor(&self, kept: usize) -> Points {
         const TRANSIENT: usize = 100;
         Points { skipped: self.skip.unwrap_or(TRANSIENT), recorded: self.points.unwrap_or(kept) }
+    }
+
+    /// Returns `true` if errors are estimated: where points are listed, not beside a picture alone.
+    pub(crate) fn with_errors(&self, is_drawn: bool, form: Form) -> bool {
+        !self.no_errors && (!is_drawn || form != Form::Table)
     }
 
     pub(crate) fn effort(&self) -> Effort {

@@ -163,9 +163,9 @@ impl<'a> PartialSolution<'a> {
                 let all = contacts.zeros_in(&stretch, error_at_start).into_iter();
                 let is_pole =
                     |time: f64| sharp.is_some_and(|sharp| sharp.has_pole_at(step, &constants, time));
-                let crosses = |contact| matches!(contact, Contact::Rising | Contact::Falling);
                 let wanted = all.filter(|(time, contact)| {
-                    self.system.events()[event].counts(*contact) && !(crosses(*contact) && is_pole(*time))
+                    self.system.events()[event].counts(*contact)
+                        && (*contact == Contact::Start || !is_pole(*time))
                 });
                 zeros.extend(wanted.map(|(time, contact)| (time, event, contact)));
             }

@@ -222,8 +222,7 @@ impl SharpFormula {
             && self.grows_towards(step, constants, [part.start, part.start + part.length])
     }
 
-    /// Returns `true` if a change of sign at a time is that of a pole: series may agree with a formula whose value next to its pole is all
-    /// rounding error.
+    /// Returns `true` if a contact at a time is a pole: series may agree with a formula whose value next to its pole is all rounding error.
     pub(in crate::taylor) fn has_pole_at(&self, step: &Step<'_>, constants: &[f64], time: f64) -> bool {
         let length = step.end() - step.start();
         let near = (SHORTEST_PART * length.abs()).max(4.0 * f64::EPSILON * time.abs()) * length.signum();

@@ -233,6 +233,11 @@ impl System {
         self.coordinates() + self.moduli() + event
     }
 
+    /// Returns `true` if the formula of an event has a divisor, a root or the like, whose zeros take much time to pass.
+    pub(crate) fn has_boundary(&self, event: usize) -> bool {
+        self.sharp(event).is_some_and(|sharp| sharp.ends)
+    }
+
     /// The formula of an event whose series has to be computed in parts of a step.
     pub(in crate::taylor) fn sharp(&self, event: usize) -> Option<&SharpFormula> {
         self.sharp[event].as_ref()

@@ -276,6 +276,22 @@ fn no_crossing_is_missed_or_doubled() {
     assert!((times(Direction::Any)[1999] - 1001.0 * TAU - lag).abs() < 1e-6);
 }
 
+/// 1/x has poles only: the search ends after ten stretches, which have at most a hundred steps here.
+#[test]
+fn a_surface_of_poles_alone_is_never_crossed() {
+    let (equation, points) = ("x'' = -x".parse().unwrap(), Points { skipped: 0, recorded: 1 });
+    let effort = Effort { most_steps: 100, ..Effort::to_tolerance(1e-12) };
+    let steps = Cell::new(0);
+    let progress = |_| {
+        steps.set(steps.get() + 1);
+        ControlFlow::Continue(())
+    };
+    let cut = surface("1/x", Direction::Any);
+    let section = compute_section(&equation, &from(&[1.0, 0.0]), &cut, points, &effort, &progress).unwrap();
+    assert_eq!((section.points, section.stopped), (vec![], Some(SectionEnding::NeverCrossed)));
+    assert!((500..=1000).contains(&steps.get()), "{}", steps.get());
+}
+
 #[test]
 fn a_start_of_another_length_is_refused_with_and_without_errors() {
     let (points, effort) = (Points { skipped: 0, recorded: 1 }, Effort::to_tolerance(1e-12));

@@ -7,7 +7,7 @@ use crate::arguments::{
     place_in_state, section_failure,
 };
 use crate::figure::section::{DiagramSweep, StateAxis};
-use crate::output::{Form, FormOptions, announce};
+use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, option};
 use crate::{figure, interrupt, parallel};
 use libration::chaos::{
@@ -15,7 +15,7 @@ use libration::chaos::{
 };
 use libration::progress::Status;
 use libration::systems::Model;
-use libration::taylor::{Moment, StateErrors};
+use libration::taylor::Moment;
 use std::cell::Cell;
 use std::io::Write;
 use std::path::PathBuf;
@@ -55,9 +55,6 @@ pub(crate) struct Bifurcation {
     sweep: Option<SweepOrder>,
     #[command(flatten)]
     section: SectionOptions,
-    /// Do not estimate the errors of the states, which saves time
-    #[arg(long)]
-    no_errors: bool,
     /// The state variable that the picture shows [default: the first coordinate, or its velocity if it is an angle]
     #[arg(long, value_name = "NAME", requires = "figure")]
     axis: Option<CoordinateName>,
@@ -142,12 +139,6 @@ impl Bifurcation {
         }
     }
 
-    /// Returns `true` if errors are estimated: where points are listed.
-    fn with_errors(&self, model: &Model) -> bool {
-        let is_listed = self.figure.is_none() || self.form.form() != Form::Table;
-        is_listed && !self.no_errors && model.state_names().len() <= StateErrors::MOST_COMPONENTS
-    }
-
     fn sweeps(
         &self,
         model: &Model,
@@ -159,7 +150,7 @@ impl Bifurcation {
             parameter: &self.over.name,
             section,
             points: self.section.points_of_attractor(POINTS),
-            with_errors: self.with_errors(model),
+            with_errors: self.section.with_errors(self.figure.is_some(), self.form.form()),
         };
         let pieces = self.pieces();
         let (effort, done) = (self.section.effort(), AtomicUsize::new(0));

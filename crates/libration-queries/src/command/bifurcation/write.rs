@@ -56,7 +56,7 @@ impl Diagram<'_> {
         self.sections().any(|section| section.errors.is_some())
     }
 
-    /// How many motions are not determined throughout; `None` if all are.
+    /// The number of motions that are not determined throughout, in words; `None` if all are.
     fn determined_text(&self) -> Option<String> {
         let is_lost = |section: &&PoincareSection| {
             section.errors.as_ref().is_some_and(|errors| errors.determined_until.is_some())
@@ -65,7 +65,7 @@ impl Diagram<'_> {
         (lost > 0).then(|| {
             let all = self.sections().count();
             format!(
-                "{lost} of {all} motions are not determined in double precision to their end: points without errors are those of nearby motions"
+                "{lost} of {all} motions are not determined in double precision to their end: points with three digits are those of nearby motions"
             )
         })
     }
@@ -163,6 +163,9 @@ fn of_diagram<'a>() -> Fields<Diagram<'a>> {
         }),
         Of::value("state[]", "", "names of the state variables", |diagram| {
             json::list(diagram.model.state_names())
+        }),
+        Of::value("determined_until_s[]", "s", point_errors::DETERMINED, |diagram| {
+            point_errors::determined_until(diagram.sections())
         }),
         Of::value("complete", "", "true if each sweep has all values", |diagram| {
             diagram.is_complete().into()

@@ -7,7 +7,7 @@ use crate::arguments::{
     SectionOptions, SeveralInitialOptions, SystemOptions, places_in_state, section_failure,
 };
 use crate::figure::section::StateAxis;
-use crate::output::{Form, FormOptions, announce};
+use crate::output::{FormOptions, announce};
 use crate::query_error::{QueryError, option};
 use crate::{figure, interrupt, parallel};
 use libration::chaos::{
@@ -51,9 +51,6 @@ pub(crate) struct PoincareQuestion {
     initial: SeveralInitialOptions,
     #[command(flatten)]
     section: SectionOptions,
-    /// Do not estimate the errors of the states, which saves time
-    #[arg(long)]
-    no_errors: bool,
     /// The two state variables that the picture shows [default: a coordinate and its velocity]
     #[arg(long, value_name = "NAME,NAME", requires = "figure")]
     axes: Option<String>,
@@ -116,12 +113,6 @@ impl PoincareQuestion {
         places_in_state(model, &option("axes"), names)
     }
 
-    /// Returns `true` if errors are estimated: where points are listed.
-    fn with_errors(&self) -> bool {
-        let is_listed = self.figure.is_none() || self.form.form() != Form::Table;
-        is_listed && !self.no_errors
-    }
-
     /// One section for each start, side by side.
     fn sections(
         &self,
@@ -131,7 +122,8 @@ impl PoincareQuestion {
     ) -> Result<Vec<PoincareSection>, QueryError> {
         let points = self.section.points_of_section(POINTS);
         let (effort, taken) = (self.section.effort(), AtomicUsize::new(0));
-        let compute = if self.with_errors() { compute_section_with_errors } else { compute_section };
+        let with_errors = self.section.with_errors(self.figure.is_some(), self.form.form());
+        let compute = if with_errors { compute_section_with_errors } else { compute_section };
         let all = points.recorded * starts.len();
         let how_far = || format!("{} of {all} points", taken.load(Ordering::Relaxed));
         let of_start = |state: &Vec<f64>| {

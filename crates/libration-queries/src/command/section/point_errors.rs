@@ -6,8 +6,9 @@ use libration::systems::Model;
 use libration::taylor::MomentErrors;
 use serde_json::Value;
 
-/// Number of digits of values in tables.
+/// Number of digits of values in tables, and of states of a nearby motion, which a picture shows as well.
 const DIGITS: usize = 10;
+const NEARBY_DIGITS: usize = 3;
 
 /// The errors of a point: `None` if none were estimated, and within if the motion is not determined there.
 #[derive(Clone, Copy)]
@@ -39,17 +40,28 @@ impl<'a> PointErrors<'a> {
         numbers.into_iter().map(csv::number)
     }
 
-    /// Time and state, with the digits up to their errors.
+    /// Time and state, with the digits up to their errors; few of a state that is not determined.
     pub(crate) fn cells(self, time: f64, state: &[f64]) -> Vec<String> {
         let errors = self.0.flatten();
-        let cell = |value: f64, error: Option<f64>| number::to_its_error(value, error.unwrap_or(0.0), DIGITS);
-        let state =
-            state.iter().enumerate().map(|(i, value)| cell(*value, errors.map(|errors| errors.state[i])));
-        [cell(time, errors.map(|errors| errors.time))].into_iter().chain(state).collect()
+        let digits = if self.0.is_some() && errors.is_none() { NEARBY_DIGITS } else { DIGITS };
+        let cell = |value: f64, error: Option<f64>, digits| {
+            number::to_its_error(value, error.unwrap_or(0.0), digits)
+        };
+        let state = state.iter().enumerate();
+        let state = state.map(|(i, value)| cell(*value, errors.map(|errors| errors.state[i]), digits));
+        [cell(time, errors.map(|errors| errors.time), DIGITS)].into_iter().chain(state).collect()
     }
 }
 
 pub(crate) const MEANING: &str = "estimate of the error, null where the motion is not determined; left out with --no-errors, and for a state of more than 64 numbers";
+
+pub(crate) const DETERMINED: &str = "time of the last state of each motion that is determined in double precision, null where all are, or where no errors are estimated; \
+     later points are those of a nearby motion";
+
+pub(crate) fn determined_until<'a>(sections: impl IntoIterator<Item = &'a PoincareSection>) -> Value {
+    let until = sections.into_iter().map(|section| section.errors.as_ref()?.determined_until);
+    json::list(until.map(|until| until.map_or(Value::Null, json::number)))
+}
 
 /// The columns of CSV.
 pub(crate) const IN_CSV: [DescriptionRow; 2] = [

@@ -7,7 +7,6 @@ use crate::output::field::{Field, Fields};
 use crate::output::json;
 use crate::output::table::{Column, Table, sheet};
 use crate::output::{Form, csv, number};
-use serde_json::Value;
 use std::io::{self, Write};
 
 impl SectionResult<'_> {
@@ -91,7 +90,7 @@ impl SectionResult<'_> {
         let until = until.collect::<Vec<_>>().join(", ");
         (!until.is_empty()).then(|| {
             format!(
-                "in double precision until {until}; later points are those of a nearby motion, without errors"
+                "in double precision until {until}; later points, with three digits, are those of a nearby motion"
             )
         })
     }
@@ -137,16 +136,9 @@ fn of_answer<'a>() -> Fields<SectionResult<'a>> {
             "state at the start of each motion, in the order of the names",
             |result| json::list(result.starts.clone()),
         ),
-        Of::value(
-            "determined_until_s[]",
-            "s",
-            "time of the last state of each motion that is determined in double precision, null where all are, or where no errors are estimated; \
-             later points are those of a nearby motion",
-            |result| {
-                let until = result.sections.iter().map(|section| section.errors.as_ref()?.determined_until);
-                json::list(until.map(|until| until.map_or(Value::Null, json::number)))
-            },
-        ),
+        Of::value("determined_until_s[]", "s", point_errors::DETERMINED, |result| {
+            point_errors::determined_until(&result.sections)
+        }),
         Of::value("complete", "", "true if all requested points are present", |result| {
             result.is_complete().into()
         }),
