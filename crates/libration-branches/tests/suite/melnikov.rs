@@ -112,8 +112,7 @@ fn zeros_are_where_the_function_vanishes() {
 /// The largest value lies beside the phase 0 by less than the rounding of 2π, before it or after it.
 #[test]
 fn extremes_and_zeros_at_the_beginning_of_the_period_are_found() {
-    let [driven, _] =
-        Melnikov::both(&perturbed("x'' + sin(x) = 0.4 cos(t) + 0.1 cos(2t)"), &Quiet).unwrap();
+    let [driven, _] = Melnikov::both(&perturbed("x'' + sin(x) = 0.4 cos(t) + 0.1 cos(2t)"), &Quiet).unwrap();
     for shift in (-16..=16).map(|j| 3e-17 * f64::from(j)) {
         // c₁ = e^{iδ} and c₂ = e^{2iδ}/4 for a largest value at −δ; a quarter of a turn on, the function itself vanishes there.
         let with = |a: [f64; 2], b: [f64; 2]| Melnikov {

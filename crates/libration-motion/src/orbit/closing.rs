@@ -2,7 +2,7 @@
 
 use super::error::OrbitError;
 use super::near::OrbitGuess;
-use super::path::{Path, sign_change, until};
+use super::path::{Path, maximum_in, until};
 use crate::periodic::{Flow, Variations};
 use crate::taylor::{IntegrationError, Moment, StateLayout};
 use libration_numbers::expression::Equation;
@@ -65,11 +65,7 @@ impl<'w> Rounds<'w> {
         let horizons = [1.5 * start.period, 2.0 * start.period];
         let start = Moment { time: 0.0, state: start.state.clone() };
         let effort = self.flow.effort(tolerance);
-        until(self.flow.system(), &start, horizons, &effort, self.watch, |step| {
-            let velocity = self.layout().driven(coordinate);
-            let rises = step.state_at(step.start())[velocity] > 0.0;
-            sign_change(step, velocity).filter(|_| rises)
-        })
+        until(self.flow.system(), &start, horizons, &effort, self.watch, |step| maximum_in(step, coordinate))
     }
 
     /// The motion with its derivatives.

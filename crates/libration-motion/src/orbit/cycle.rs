@@ -5,7 +5,7 @@ use super::drift::{MOST_LEAPS, leap};
 use super::error::{Lost, OrbitError, finished};
 use super::family::{FamilyCondition, through_start};
 use super::near::OrbitGuess;
-use super::path::turn_in;
+use super::path::maximum_in;
 use super::periodic::Orbit;
 use super::relaxation::forgetful;
 use super::search::OrbitKind;
@@ -343,8 +343,7 @@ impl Maxima {
             self.moved_until = step.start();
         }
         self.faded = if is_faded { self.faded + 1 } else { 0 };
-        let rises = step.speeds_at(step.start())[self.coordinate] > 0.0;
-        let time = turn_in(step, self.coordinate).filter(|_| rises)?;
+        let time = maximum_in(step, self.coordinate)?;
         let mut state = step.state_at(time);
         if let Some(velocity) = self.velocity {
             // At a maximum a remaining velocity is a rounding error.

@@ -63,9 +63,9 @@ pub enum OrbitError {
     #[error("the acceleration has no value at {0:?}: give another amplitude")]
     NoValue(f64),
     /// A motion that does not come to rest again.
-    #[error("released at {start:?}, the motion does not return: {why}")]
+    #[error("from {start:?} the motion does not return: {why}")]
     NoReturn {
-        /// The position of the release.
+        /// The position at the start.
         start: f64,
         /// The behaviour of the motion.
         why: Lost,

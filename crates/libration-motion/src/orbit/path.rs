@@ -128,6 +128,9 @@ impl Path {
     }
 }
 
+/// Time beyond which a motion that has not turned never does: any noticeable force turns a motion within the square root of the largest number.
+pub(super) const FAR: f64 = 1e100;
+
 /// The motion from a moment until an event, which a function reports for a step with its time; `None` if it does not occur up to the last
 /// horizon. The motion is followed to the first horizon, then twice as far, and so on: in a single step whose series seems to be a polynomial
 /// without limit, the end of a branch of the force would be found only to a fraction of the horizon.
@@ -160,18 +163,21 @@ pub(super) fn until(
     Ok(None)
 }
 
-/// The time at which a state component changes its sign in a step, to the last bit; `None` if it
+/// The time at which a state component first changes its sign in a step, to the last bit; `None` if it
 /// has the same sign at both ends. If the step begins at zero, the sign shortly afterwards counts.
 pub(super) fn sign_change(step: &Step<'_>, number: usize) -> Option<f64> {
-    zero_in(step, |time| step.state_at(time)[number])
+    let changes = |[before, after]: [f64; 2]| after == 0.0 || (before > 0.0) != (after > 0.0);
+    zero_in(step, |time| step.state_at(time)[number], changes)
 }
 
-/// The time at which the rate of change of a coordinate changes its sign in a step, to the last bit, as for [`sign_change`].
-pub(super) fn turn_in(step: &Step<'_>, coordinate: usize) -> Option<f64> {
-    zero_in(step, |time| step.speeds_at(time)[coordinate])
+/// The time of the first maximum of a coordinate in a step, to the last bit, as for [`sign_change`] of its rate of change. There may be a
+/// minimum before it: between kinks of a force a step may be a whole swing.
+pub(super) fn maximum_in(step: &Step<'_>, coordinate: usize) -> Option<f64> {
+    let falls = |[before, after]: [f64; 2]| before > 0.0 && after <= 0.0;
+    zero_in(step, |time| step.speeds_at(time)[coordinate], falls)
 }
 
-fn zero_in(step: &Step<'_>, value: impl Fn(f64) -> f64) -> Option<f64> {
+fn zero_in(step: &Step<'_>, value: impl Fn(f64) -> f64, is_wanted: impl Fn([f64; 2]) -> bool) -> Option<f64> {
     /// Fraction of the step that is skipped after a zero at its beginning, which belongs to the previous step.
     const SOON: f64 = 1e-3;
     /// Number of parts into which a step is divided, since it may be longer than half a wave: for an
@@ -181,11 +187,14 @@ fn zero_in(step: &Step<'_>, value: impl Fn(f64) -> f64) -> Option<f64> {
     if value(before) == 0.0 {
         before += SOON * (after - before);
     }
-    let sign = value(before);
     let part = |number: u32| before + (after - before) * f64::from(number) / f64::from(PARTS);
     let mut parts =
         (0..PARTS).map(|number| [part(number), if number + 1 < PARTS { part(number + 1) } else { after }]);
-    let [from, to] = parts.find(|[_, to]| value(*to) * sign <= 0.0)?;
-    let [_, zero] = bisect([from, to], Tolerance::LAST_BIT, |time| value(time) * sign > 0.0);
+    let [from, to] = parts.find(|ends| is_wanted(ends.map(&value)))?;
+    let was_positive = value(from) > 0.0;
+    let [_, zero] = bisect([from, to], Tolerance::LAST_BIT, |time| {
+        let value = value(time);
+        value != 0.0 && (value > 0.0) == was_positive
+    });
     Some(zero)
 }

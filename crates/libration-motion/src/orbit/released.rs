@@ -15,7 +15,7 @@
 
 use super::acceleration::{Acceleration, Roundings};
 use super::error::{Lost, OrbitError, finished};
-use super::path::{Path, sign_change, until};
+use super::path::{FAR, Path, sign_change, until};
 use super::periodic::{Orbit, OrbitErrors};
 use super::precise::{HalfPeriod, HalfPeriodError, Motion};
 use super::release_place::ReleasePlace;
@@ -26,7 +26,7 @@ use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Progress;
 
 /// Maximum number of steps of half an oscillation; only motions without end take more.
-const MOST_STEPS: usize = 20_000;
+pub(super) const MOST_STEPS: usize = 20_000;
 /// Relative error above which a period is not accepted: four digits are the minimum for a comparison.
 const UNCERTAIN: f64 = 1e-4;
 /// Largest relative error of a period in double precision, 2⁻⁴⁵ or 128 roundings; above it the period is computed with more bits.
@@ -263,9 +263,6 @@ impl<'a> Release<'a> {
 
     /// Integrates the motion from rest to the next rest.
     fn to_rest(&self, start: &Moment, position: f64, effort: &Effort) -> Result<Path, OrbitError> {
-        /// Distance beyond which a motion that has not turned never does: any noticeable
-        /// force turns a motion within the square root of the largest number.
-        const FAR: f64 = 1e100;
         let first = self.acceleration.at(&start.state).abs();
         if first == 0.0 {
             return Err(OrbitError::AtRest(vec![start.state[0]]));
@@ -330,7 +327,7 @@ impl Halves {
     }
 }
 
-fn why_lost(error: IntegrationError) -> Lost {
+pub(super) fn why_lost(error: IntegrationError) -> Lost {
     match error {
         IntegrationError::Stopped { cause: Cause::StepLimit, solution } => Lost::OneWay(solution.end.time),
         other => Lost::Stopped(other),

@@ -1,11 +1,14 @@
 //! Search for an orbit of any kind; the equations determine the method.
 
+use super::acceleration::Acceleration;
 use super::closing::Rounds;
-use super::error::{OrbitError, finished};
+use super::error::{Lost, OrbitError, finished};
 use super::family::{FamilyCondition, through_start};
 use super::near::OrbitGuess;
+use super::path::{FAR, sign_change, until};
 use super::periodic::Orbit;
-use crate::taylor::StateLayout;
+use super::released::{MOST_STEPS, why_lost};
+use crate::taylor::{Effort, Moment, StateLayout, System};
 use libration_numbers::expression::Equation;
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Progress;
@@ -43,7 +46,8 @@ pub enum OrbitKind {
 impl Orbit {
     /// The orbit of a search: the response to a force that depends on the time; the orbit near a guess of the
     /// period if one is given; the motion of one coordinate from rest if energy is conserved or the motion
-    /// closes; otherwise a limit cycle. If all motions near the start close, it is the one through the start.
+    /// closes, and from a start that moves, by its turning points, if energy is conserved; otherwise a limit cycle. If all motions near the
+    /// start close, it is the one through the start.
     ///
     /// # Errors
     /// The errors of the respective kind of orbit; [`OrbitError::NoPeriod`] if a period
@@ -82,7 +86,9 @@ impl Orbit {
         match from_rest {
             Some(Ok(orbit)) => Ok((OrbitKind::Released, orbit)),
             Some(Err(error)) if search.conserves_energy => Err(error),
-            _ if search.conserves_energy => Err(OrbitError::NoPeriod),
+            _ if search.conserves_energy => {
+                search.near(equation, &layout, search.period_by_turns(equation, &layout, watch)?, watch)
+            }
             _ => Self::undriven(equation, &search.start, watch),
         }
     }
@@ -92,6 +98,37 @@ impl OrbitSearch {
     /// Returns `true` for one coordinate that starts without a velocity.
     fn is_at_rest(&self, layout: &StateLayout) -> bool {
         layout.coordinates() == 1 && layout.velocity(0).is_some_and(|velocity| self.start[velocity] == 0.0)
+    }
+
+    /// The period of one coordinate that starts with a velocity and conserves energy: twice the time between two turning points.
+    fn period_by_turns(
+        &self,
+        equation: &Equation,
+        layout: &StateLayout,
+        watch: &Watch<'_>,
+    ) -> Result<f64, OrbitError> {
+        let (1, Some(velocity)) = (layout.coordinates(), layout.velocity(0)) else {
+            return Err(OrbitError::NoPeriod);
+        };
+        let system = System::new(equation)?;
+        let effort = Effort { most_steps: MOST_STEPS, ..Effort::to_tolerance(1e-12) };
+        let horizons = [self.shortest_time(&Acceleration::new(equation)?), FAR];
+        let turn = |from: &Moment| {
+            let path = until(&system, from, horizons, &effort, watch, |step| sign_change(step, velocity));
+            let path = path.map_err(why_lost).and_then(|path| path.ok_or(Lost::OneWay(FAR)));
+            finished(path.map_err(|why| OrbitError::NoReturn { start: self.start[0], why }), watch)
+        };
+        let first = turn(&Moment { time: 0.0, state: self.start.clone() })?;
+        let rest = Moment { time: 0.0, state: vec![first.state_at(first.end_time())[0], 0.0] };
+        Ok(2.0 * turn(&rest)?.end_time())
+    }
+
+    /// The shorter of the times in which the velocity leads to zero and the acceleration to rest; 1 if there is neither.
+    fn shortest_time(&self, acceleration: &Acceleration) -> f64 {
+        let [position, velocity] = [self.start[0], self.start[1]].map(f64::abs);
+        let times = [position / velocity, velocity / acceleration.at(&self.start).abs()];
+        let usable = times.into_iter().filter(|time| time.is_normal());
+        usable.reduce(libm::fmin).unwrap_or(1.0)
     }
 
     /// The orbit through the start if it closes and is one of a family, otherwise the orbit near the guess;

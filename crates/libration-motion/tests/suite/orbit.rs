@@ -9,7 +9,7 @@ use libration::progress::{Quiet, Status};
 use libration::quantity::Angle;
 use libration_testing::sweep;
 use std::cell::Cell;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::ops::ControlFlow;
 
 fn released(text: &str, position: f64) -> Orbit {
@@ -848,9 +848,8 @@ fn a_coordinate_at_rest_hides_no_cycle() {
 /// energy v²/2, changes it by 8e-16/v².
 #[test]
 fn an_orbit_past_a_saddle_has_its_whole_period_or_none() {
-    let searched = |start: [f64; 2], period: f64| {
-        let (start, period) = (start.to_vec(), Some(period));
-        let search = OrbitSearch { start, period, conserves_energy: true, held: None };
+    let searched = |start: [f64; 2], period: Option<f64>| {
+        let search = OrbitSearch { start: start.to_vec(), period, conserves_energy: true, held: None };
         Orbit::search(&equation("x'' = x - x^3"), &search, &Quiet)
     };
     for step in 0..60 {
@@ -858,15 +857,81 @@ fn an_orbit_past_a_saddle_has_its_whole_period_or_none() {
         let root = (1.0 + 2.0 * velocity * velocity).sqrt();
         let modulus = Modulus::from_complementary_parameter(velocity * velocity / (root * (1.0 + root)));
         let period = 4.0 / root.sqrt() * modulus.unwrap().first();
-        let (_, orbit) = searched([0.0, velocity], period + 1.0).unwrap();
-        let (off, stated) = ((orbit.period() - period).abs(), orbit.period_uncertainty());
-        assert!(off <= stated && stated < 1e-13 / (velocity * velocity), "{velocity}: {off:e} {stated:e}");
+        for guess in [Some(period + 1.0), None] {
+            let (_, orbit) = searched([0.0, velocity], guess).unwrap();
+            let (off, stated) = ((orbit.period() - period).abs(), orbit.period_uncertainty());
+            assert!(
+                off <= stated && stated < 1e-13 / (velocity * velocity),
+                "{velocity}: {off:e} {stated:e}"
+            );
+        }
     }
     // The energy is that of a velocity 7e-7 to 7e-11, which the digits of this start do not determine.
     for displacement in [1e-3, 1e-4, 1e-5] {
-        let outcome = searched([displacement, displacement], 50.0);
-        assert!(outcome.is_err(), "{displacement}: {outcome:?}");
+        assert!(searched([displacement, displacement], Some(50.0)).is_err(), "{displacement}");
     }
+    // With the period between its turning points the first is known to its error (mpmath).
+    let (_, orbit) = searched([1e-3, 1e-3], None).unwrap();
+    assert!((orbit.period() - 63.579_808_398_57).abs() < orbit.period_uncertainty());
+    for displacement in [1e-4, 1e-5] {
+        assert!(searched([displacement, displacement], None).is_err(), "{displacement}");
+    }
+}
+
+/// Below the kink the motion takes one step, in which the first component, the velocity, has a minimum and a maximum. Its period is exact:
+/// half a turn with the frequency 1, from −a to a, plus the part above the kink.
+#[test]
+fn maxima_that_follow_a_minimum_in_the_same_step_are_seen() {
+    for order in ["v' = -x - 3*max(x - b, 0); x' = v", "x' = v; v' = -x - 3*max(x - b, 0)"] {
+        for kink in ["0.02", "0.1", "0.3"] {
+            let placed = equation(order).with(&[("b", kink.parse().unwrap())]).unwrap();
+            // The second component is at −1 where the velocity vanishes: below the kink the energy is 1/2.
+            let start = if order.starts_with('v') { vec![0.0, -1.0] } else { vec![-1.0, 0.0] };
+            let search = OrbitSearch { start, period: None, conserves_energy: false, held: None };
+            let (kind, orbit) = Orbit::search(&placed, &search, &Quiet).unwrap();
+            let b: f64 = kink.parse().unwrap();
+            // Above it x = c + r cos(2t) with c = 3b/4 and 4r² = 1 + 4c² − 3b².
+            let centre = 0.75 * b;
+            let radius = (0.25 + centre * centre - centre * b).sqrt();
+            let period = 2.0 * (PI - libm::acos(b)) + libm::acos((b - centre) / radius);
+            assert_eq!(kind, OrbitKind::Family, "{order} {kink}");
+            let off = (orbit.period() - period).abs();
+            assert!(off <= orbit.period_uncertainty().max(1e-15), "{order} {kink}: {off:e}");
+        }
+    }
+}
+
+/// The period of a pendulum that passes the bottom with the velocity v is 4K(m) with m = v²/4; between two springs a distance 2a apart, where
+/// no force acts, it is 4a/v + 2π/ω.
+#[test]
+fn a_start_that_moves_is_on_an_orbit_between_its_turning_points() {
+    let searched = |text: &str, start: [f64; 2]| {
+        let search = OrbitSearch { start: start.to_vec(), period: None, conserves_energy: true, held: None };
+        Orbit::search(&equation(text), &search, &Quiet)
+    };
+    let is_exact = |text: &str, start: [f64; 2], period: f64| {
+        let (kind, orbit) = searched(text, start).unwrap();
+        assert_eq!((kind, orbit.start()), (OrbitKind::Family, start.to_vec()));
+        let (off, stated) = ((orbit.period() - period).abs(), orbit.period_uncertainty());
+        assert!(off <= stated && stated < 1e-11 * period, "{text} {start:?}: {off:e} {stated:e}");
+    };
+    for velocity in [1e-6, 0.1, -1.0, 1.9, -1.999] {
+        let modulus = Modulus::from_parameter(0.25 * velocity * velocity).unwrap();
+        is_exact("x'' = -sin(x)", [0.0, velocity], 4.0 * modulus.first());
+        is_exact("x'' = -1e-12*sin(x)", [0.0, 1e-6 * velocity], 4e6 * modulus.first());
+    }
+    for [unit, velocity] in [[1.0, 1.0], [1.0, -1e-3], [1.0, 1e3], [1e-6, 1e-6], [1e6, -1e6]] {
+        let text = format!("x'' = -16*max(x - {unit:?}, 0) - 16*min(x + {unit:?}, 0)");
+        for start in [0.0, -0.25 * unit] {
+            is_exact(&text, [start, velocity], 4.0 * unit / velocity.abs() + FRAC_PI_2);
+        }
+    }
+    for start in [[0.0, 2.1], [3.0, -0.5]] {
+        let refused = searched("x'' = -sin(x)", start).unwrap_err();
+        assert!(matches!(refused, OrbitError::NoReturn { why: Lost::OneWay(_), .. }), "{refused}");
+    }
+    let refused = searched("x'' = x^3", [-1.0, 2.0]).unwrap_err();
+    assert!(matches!(refused, OrbitError::NoReturn { why: Lost::Stopped(_), .. }), "{refused}");
 }
 
 /// 4e-4 rad/s above the drive frequency at which the upper response ends (1.27356), where the motion stays for dozens of periods. The values are
