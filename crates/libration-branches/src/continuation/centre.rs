@@ -2,14 +2,14 @@
 //!
 //! # Method
 //! F(2c − x, −x′, t + T/2) = −F(x, x′, t) for all x makes the forces on a body at rest in c cancel over two times half a period apart. Newton's
-//! method finds zeros of their sum from guesses of many sizes. A zero, or the middle between two of them, which the mirror exchanges, as the wells
+//! method finds zeros of the sum over two such pairs from guesses of many sizes. A zero, or the middle between two of them, which the mirror exchanges, as the wells
 //! about a hilltop, may be the centre: `symmetry.rs` tries the equation about them.
 
 use libration_motion::internals::periodic::norm;
 use libration_motion::taylor::StateLayout;
 use libration_numbers::algebra::Doubles;
 use libration_numbers::internals::expression::{Jet, Tape};
-use libration_numbers::internals::linear::solve;
+use libration_numbers::internals::linear::{eigenvalues, solve};
 use libration_numbers::internals::roots::{NewtonError, newton};
 
 /// Candidates for the centre, in coordinates, the nearest to zero first, for forces as a tape in the state, the time and the parameters. `scale` is the
@@ -45,6 +45,8 @@ pub(super) fn centres(
     let middles: Vec<Vec<f64>> = pairs.map(|(i, j)| middle(&zeros[i], &zeros[j])).collect();
     let mut candidates: Vec<Vec<f64>> = zeros.into_iter().chain(middles).collect();
     candidates.sort_by(|a, b| norm(a).total_cmp(&norm(b)));
+    // An angle has a centre at the bottom and one at the top.
+    candidates.sort_by_cached_key(|centre| !forces.restore(centre));
     candidates.into_iter().flat_map(|centre| [rounded(&centre), centre]).collect()
 }
 
@@ -72,7 +74,7 @@ fn rounded(centre: &[f64]) -> Vec<f64> {
     centre.iter().map(|x| format!("{x:.11e}").parse().unwrap_or(*x)).collect()
 }
 
-/// The sum of the forces on bodies at rest at two times half a period apart.
+/// The sum of the forces on bodies at rest at four times a quarter of a period apart.
 struct MeanForces<'a> {
     layout: &'a StateLayout,
     rates: &'a Tape,
@@ -83,11 +85,28 @@ struct MeanForces<'a> {
 impl MeanForces<'_> {
     /// Newton's correction of coordinates.
     fn correction(&self, at: &[f64]) -> Result<Vec<f64>, NewtonError> {
-        /// A time at which no simple drive is zero, in periods.
-        const TIME: f64 = 0.11;
+        let (sums, slopes) = self.sums(at)?;
+        if sums.iter().all(|sum| *sum == 0.0) {
+            return Ok(sums);
+        }
+        let against: Vec<f64> = sums.iter().map(|sum| -sum).collect();
+        let step = solve(&Doubles, |x| x.abs(), &slopes, &against);
+        step.filter(|step| step.iter().all(|x| x.is_finite())).ok_or(NewtonError::NoSlope)
+    }
+
+    /// Returns `true` if no deviation is driven away.
+    fn restore(&self, at: &[f64]) -> bool {
+        let eigenvalues = self.sums(at).ok().and_then(|(_, slopes)| eigenvalues(&slopes));
+        eigenvalues.is_some_and(|all| all.iter().all(|value| value.re <= 0.0))
+    }
+
+    /// The sums with their derivatives with respect to the coordinates.
+    fn sums(&self, at: &[f64]) -> Result<(Vec<f64>, Vec<Vec<f64>>), NewtonError> {
+        /// Times at which no simple drive is zero, in periods.
+        const TIMES: [f64; 4] = [0.11, 0.36, 0.61, 0.86];
         let (n, at_rest) = (at.len(), self.layout.arrange(at.iter().copied(), |_| 0.0));
         let (mut sums, mut slopes) = (vec![0.0; n], vec![vec![0.0; n]; n]);
-        for time in [TIME, TIME + 0.5] {
+        for time in TIMES {
             let further = [time * self.period].into_iter().chain(self.parameters.iter().copied());
             let inputs: Vec<f64> = at_rest.iter().copied().chain(further).collect();
             let jet = Jet::new(&Doubles, self.rates, &inputs).map_err(|_| NewtonError::NoValue)?;
@@ -96,12 +115,8 @@ impl MeanForces<'_> {
             for (row, slot) in slopes.iter_mut().zip(self.rates.results()) {
                 row.iter_mut().zip(&gains).for_each(|(slope, gain)| *slope += gain[*slot]);
             }
-            sums.iter_mut().enumerate().for_each(|(i, sum)| *sum -= jet.result(i)[0]);
+            sums.iter_mut().enumerate().for_each(|(i, sum)| *sum += jet.result(i)[0]);
         }
-        if sums.iter().all(|sum| *sum == 0.0) {
-            return Ok(sums);
-        }
-        let step = solve(&Doubles, |x| x.abs(), &slopes, &sums);
-        step.filter(|step| step.iter().all(|x| x.is_finite())).ok_or(NewtonError::NoSlope)
+        Ok((sums, slopes))
     }
 }

@@ -13,7 +13,6 @@ use super::search::Search;
 use super::singular::Singular;
 use super::space::Space;
 use super::special::{SpecialKind, SpecialPoint, Test};
-use super::turns::Turns;
 use libration_numbers::algebra::BigFloat;
 use libration_numbers::expression::{Equation, Expression};
 use libration_numbers::internals::progress::Watch;
@@ -290,8 +289,8 @@ impl Survey<'_> {
         let [range, [low, high]] = self.ranges;
         let equation = &self.with_value(1, f64::midpoint(low, high))?;
         let family = &Family::new(equation, &self.parameters[..1], &[range], self.family.watch).ok()?;
-        let (options, parameter, turns) = (&self.response_options(), self.parameters[0], Turns::of(equation));
-        let search = Search { equation, parameter, family, turns, range, options };
+        let (options, parameter) = (&self.response_options(), self.parameters[0]);
+        let search = Search { equation, parameter, family, range, options };
         CoordinateUnits::of(&search, range[0], search.starts(range[0]).ok()?.first()?)
     }
 

@@ -41,8 +41,9 @@ impl CoordinateUnits {
         let extents: Vec<f64> = ranges.iter().map(|[low, high]| 0.5 * (high - low)).collect();
         let box_of_motion = MotionBox { ranges: &ranges, period: search.period_of(start, value)?, value };
         let mut units = balancing(&box_of_motion.mean_slopes(search, layout)?);
-        let angle =
-            |coordinate: &usize| search.turns.is_angle(*coordinate) || search.turns.is_coupled(*coordinate);
+        let angle = |coordinate: &usize| {
+            search.family.turning.is_angle(*coordinate) || search.family.turning.is_coupled(*coordinate)
+        };
         let largest = |units: &[f64]| extents.iter().zip(units).map(|(x, s)| x / s).fold(0.0, f64::max);
         let common = match (0..units.len()).find(angle) {
             Some(angle) => 1.0 / units[angle],

@@ -421,13 +421,11 @@ impl<'a> Trace<'a> {
         let in_units = |numbers: &[f64]| {
             norm(&numbers.iter().zip(&self.units).map(|(x, unit)| x / unit).collect::<Vec<_>>())
         };
-        let misses = |smaller: Space| {
-            family.image(smaller, state, parameters, TOLERANCES[0]).map(|image| in_units(&image.defect))
-        };
-        let is_smaller = |smaller: Space| misses(smaller).is_some_and(|off| off < SAME);
         let is_rest = |rest: &[f64]| norm(&self.difference(state, rest)) < REST;
-        (space.mirrored && family.mirror.fixed_state().is_some_and(is_rest))
-            || space.within(family.symmetry).into_iter().any(is_smaller)
+        (space.mirrored && space.fixed_state(&family.mirror).is_some_and(|rest| is_rest(&rest)))
+            || family
+                .images_within(space, state, parameters, TOLERANCES[0])
+                .any(|(_, image)| in_units(&image.defect) < SAME)
     }
 }
 

@@ -4,8 +4,9 @@ use super::drive_law::DriveLaw;
 use super::error::BranchError;
 use super::field::{Field, Rates, returned};
 use super::mirror::Mirror;
-use super::space::{Space, Symmetry};
+use super::space::{Rotation, Space, Symmetry};
 use super::symmetry::{has_partial_mirror, symmetry};
+use super::turns::Turns;
 use libration_motion::internals::periodic::{Flow, Variations, norm, norm_of_map};
 use libration_motion::taylor::{IntegrationError, OwnedStep, StateLayout};
 use libration_numbers::algebra::Doubles;
@@ -38,6 +39,8 @@ pub(super) struct Family<'w> {
     pub(super) layout: StateLayout,
     pub(super) symmetry: Option<Symmetry>,
     pub(super) mirror: Mirror,
+    /// The angles, whose whole turns change nothing.
+    pub(super) turning: Turns,
     beat: Beat,
     flow: Flow,
     /// The ranges of the parameters.
@@ -191,7 +194,18 @@ impl<'w> Family<'w> {
         let scale = if is_of_other_units(by_drive) { by_drive } else { 1.0 };
         let (layout, ranges) = (flow.layout.clone(), ranges.to_vec());
         let (symmetry, mirror) = symmetry(&layout, flow.rates(), beat.law(), &ranges, &[scale, by_drive]);
-        Ok(Self { layout, symmetry, mirror, beat, flow, ranges, scale, by_drive, watch })
+        Ok(Self {
+            layout,
+            symmetry,
+            mirror,
+            turning: Turns::of(equation),
+            beat,
+            flow,
+            ranges,
+            scale,
+            by_drive,
+            watch,
+        })
     }
 
     /// The family with its symmetry, which is sought at motions of its scale.
@@ -274,6 +288,25 @@ impl<'w> Family<'w> {
             Beat::Drive(law) => law.period(parameters).map(|(period, _)| period),
             Beat::Own(_) => None,
         }
+    }
+
+    /// The smaller spaces within a space, with the image of a motion in each. The mirror image of a motion may lie whole turns beside it.
+    pub(super) fn images_within(
+        &self,
+        space: Space,
+        unknowns: &[f64],
+        parameters: &[f64],
+        tolerance: f64,
+    ) -> impl Iterator<Item = (Space, Image)> {
+        let smaller = space.within(self.symmetry).into_iter();
+        smaller.filter_map(move |space| {
+            let mut image = self.image(space, unknowns, parameters, tolerance)?;
+            let beside = self.turning.between(&image.defect).filter(|_| space.mirrored);
+            if let Some(Rotation { coordinate, turns }) = beside {
+                image.defect[coordinate] -= TAU * f64::from(turns);
+            }
+            Some((Space { beside, ..space }, image))
+        })
     }
 
     /// The image of a motion with its derivatives; `None` if the motion cannot be integrated.

@@ -56,7 +56,8 @@ impl Search<'_> {
         let given = self.given();
         let is_in_well = |point: &BranchPoint| {
             let beside = |(coordinate, [low, high]): (usize, &[f64; 2])| {
-                let may_turn = self.turns.is_angle(coordinate) || self.turns.is_coupled(coordinate);
+                let may_turn =
+                    self.family.turning.is_angle(coordinate) || self.family.turning.is_coupled(coordinate);
                 !may_turn && !(*low..=*high).contains(&given[coordinate])
             };
             point.is_stable() && point.ranges.iter().enumerate().any(beside)
@@ -89,7 +90,7 @@ impl Search<'_> {
         let mut centres = vec![self.given()[..self.family.layout.coordinates()].to_vec()];
         let (mut motions, mut done): (Vec<(Start, f64)>, usize) = (vec![], 0);
         while done < centres.len().min(MOST_CENTRES) {
-            for estimate in coarse.motions(&centres[done], &self.turns, known) {
+            for estimate in coarse.motions(&centres[done], &self.family.turning, known) {
                 let Some(estimate) = fine.refined(estimate) else { continue };
                 if self.family.watch.is_stopped() {
                     return motions;
@@ -103,7 +104,7 @@ impl Search<'_> {
                 }
                 let sizes = self.family.sizes_of(&start.unknowns, value, 0.0);
                 let is_same = |(other, _): &(Start, f64)| {
-                    self.turns.are_near(&other.unknowns, &start.unknowns, &sizes, SAME)
+                    self.family.turning.are_near(&other.unknowns, &start.unknowns, &sizes, SAME)
                 };
                 if motions.iter().any(is_same) {
                     continue;
@@ -126,7 +127,7 @@ impl Search<'_> {
         let returns = |part: &u32| {
             let span = [0.0, period * f64::from(*part)];
             let end = self.family.moved_on(&start.unknowns, value, span);
-            end.is_some_and(|end| self.turns.are_near(&end, &start.unknowns, &sizes, SAME))
+            end.is_some_and(|end| self.family.turning.are_near(&end, &start.unknowns, &sizes, SAME))
         };
         (1..periods).filter(|part| periods.is_multiple_of(*part)).any(|part| returns(&part))
     }
@@ -151,7 +152,7 @@ impl Search<'_> {
         }
         let largest = multipliers.iter().map(|multiplier| multiplier.abs()).fold(0.0, f64::max);
         let ranges = self.family.ranges_of(space, &unknowns, value)?;
-        self.turns.subtract(&mut unknowns, |coordinate| middle(ranges[coordinate]));
+        self.family.turning.subtract(&mut unknowns, |coordinate| middle(ranges[coordinate]));
         Some((Start { unknowns, space }, largest))
     }
 }

@@ -49,7 +49,7 @@ impl Search<'_> {
         let swept = Sweeping { family: self.family, angles: angles(self.equation), done: 0 };
         let point = swept.settled(value, jump.from.state.clone())?;
         let SweepPoint { mut state, drive_periods, rotation, ranges, .. } = point;
-        self.turns.subtract(&mut state, |coordinate| middle(ranges[coordinate]));
+        self.family.turning.subtract(&mut state, |coordinate| middle(ranges[coordinate]));
         let is_sought = drive_periods == Some(self.options.drive_periods) && rotation.is_none();
         is_sought.then(|| (value, Start { unknowns: state, space: self.space() }))
     }

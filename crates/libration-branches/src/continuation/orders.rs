@@ -144,7 +144,7 @@ impl Search<'_> {
         let Some(copies) = self.copies(start, value) else { return false };
         let sizes = self.family.sizes_of(&start.unknowns, value, 0.0);
         let is_copy =
-            |state: &[f64]| copies.iter().any(|copy| self.turns.are_near(copy, state, &sizes, SAME));
+            |state: &[f64]| copies.iter().any(|copy| self.family.turning.are_near(copy, state, &sizes, SAME));
         landings.any(|landing| is_copy(&landing.state))
     }
 

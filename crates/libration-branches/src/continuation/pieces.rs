@@ -34,7 +34,12 @@ impl Family<'_> {
                 if space.mirrored && time >= half { (time - half, true) } else { (time, false) };
             let step = steps.iter().find(|owned| time <= owned.step().end())?.step();
             let state = step.state_at(time);
-            Some(if is_mirrored { self.mirror.image_of(&state) } else { state })
+            if !is_mirrored {
+                return Some(state);
+            }
+            let image = self.mirror.image_of(&state);
+            let beside = |(number, x)| x - TAU * f64::from(space.turns_beside(number));
+            Some(image.into_iter().enumerate().map(beside).collect())
         };
         let turns = |number: usize| TAU * f64::from(space.turns_of(number));
         let shift: Vec<f64> = (0..self.layout.numbers()).map(turns).collect();

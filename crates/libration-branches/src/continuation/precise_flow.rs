@@ -81,7 +81,7 @@ impl<'w> PreciseFlow<'w> {
         let row = |number: usize| (0..numbers).map(|start| signed(number, 1 + start)).collect();
         let turn = ring.times_integer(&BigFloat::pi(ring.precision), 2);
         let missed = |(number, start): (usize, &BigFloat)| {
-            let turned = ring.times_integer(&turn, space.turns_of(number).into());
+            let turned = ring.times_integer(&turn, space.turns_missed(number).into());
             ring.subtract(&ring.subtract(&signed(number, 0), start), &turned)
         };
         Some(PreciseImage {

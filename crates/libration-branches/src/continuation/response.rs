@@ -13,7 +13,6 @@ use super::search::{Search, Start};
 use super::space::Space;
 use super::special::Meeting;
 use super::switching::Leaving;
-use super::turns::Turns;
 use super::units::{LEAST, largest_half_range};
 use libration_numbers::expression::Equation;
 use libration_numbers::internals::progress::Watch;
@@ -112,8 +111,7 @@ impl Response {
         if !family.is_driven() && needs_drive {
             return Err(BranchError::NotDriven);
         }
-        let search =
-            Search { equation, parameter, family: &family, turns: Turns::of(equation), range, options };
+        let search = Search { equation, parameter, family: &family, range, options };
         options.rotation.map_or(Ok(()), |rotation| search.check(rotation))?;
         let starts = search.starts_of_range();
         let first =
@@ -318,7 +316,7 @@ impl Search<'_> {
         let sizes = self.family.sizes_of(&start.unknowns, value, LEAST);
         let copies = self.copies(start, value).unwrap_or_else(|| vec![start.unknowns.clone()]);
         let is_same = |point: &BranchPoint| match self.family.is_driven() {
-            true => copies.iter().any(|copy| self.turns.are_near(&point.state, copy, &sizes, SAME)),
+            true => copies.iter().any(|copy| self.family.turning.are_near(&point.state, copy, &sizes, SAME)),
             false => self.is_cycle(start, value, point, SAME),
         };
         let ends = branches.iter().flat_map(|branch| [branch.points.first(), branch.points.last()]).flatten();

@@ -21,7 +21,7 @@ impl Search<'_> {
     pub(super) fn check(&self, rotation: Rotation) -> Result<(), BranchError> {
         let names = self.equation.variables();
         match names.get(rotation.coordinate) {
-            Some(_) if self.turns.is_angle(rotation.coordinate) => Ok(()),
+            Some(_) if self.family.turning.is_angle(rotation.coordinate) => Ok(()),
             Some(name) => Err(BranchError::NotAnAngle(name.clone())),
             None => Err(BranchError::NotAnAngle(format!("of number {}", rotation.coordinate))),
         }
@@ -43,7 +43,7 @@ impl Search<'_> {
             /// Largest difference relative to the size of the state.
             const SAME: f64 = 1e-7;
             let sizes = self.family.sizes_of(&start.unknowns, value, 1.0);
-            let is_same = |copy: &Vec<f64>| self.turns.are_near(copy, &start.unknowns, &sizes, SAME);
+            let is_same = |copy: &Vec<f64>| self.family.turning.are_near(copy, &start.unknowns, &sizes, SAME);
             if !starts.iter().flat_map(|(_, copies)| copies).any(is_same) {
                 let copies = self.copies(&start, value).unwrap_or_default();
                 starts.push((start, copies));

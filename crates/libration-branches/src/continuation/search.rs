@@ -3,12 +3,11 @@
 use super::branch::{Ending, FIRST, Limits, Origin, Walk, Walked};
 use super::corrector::Corrector;
 use super::error::BranchError;
-use super::family::{Family, TOLERANCES};
+use super::family::{Family, Image, TOLERANCES};
 use super::node::{Node, Tests};
 use super::options::ResponseOptions;
 use super::point::BranchPoint;
 use super::space::Space;
-use super::turns::Turns;
 use super::units::LEAST;
 use libration_motion::orbit::{Orbit, OrbitError};
 use libration_numbers::algebra::BigFloat;
@@ -18,7 +17,6 @@ pub(super) struct Search<'a> {
     pub(super) equation: &'a Equation,
     pub(super) parameter: &'a str,
     pub(super) family: &'a Family<'a>,
-    pub(super) turns: Turns,
     pub(super) range: [f64; 2],
     pub(super) options: &'a ResponseOptions,
 }
@@ -115,7 +113,7 @@ impl Search<'_> {
     /// with these turns subtracted: its mirror image is then one about zero.
     fn about_the_nearest_bottom(&self, orbit: &Orbit) -> Vec<f64> {
         let mut start = orbit.start();
-        self.turns.subtract(&mut start, |coordinate| middle(orbit.range(coordinate).into()));
+        self.family.turning.subtract(&mut start, |coordinate| middle(orbit.range(coordinate).into()));
         start
     }
 
@@ -188,21 +186,26 @@ impl Search<'_> {
     }
 
     pub(super) fn smallest(&self, space: Space, state: &[f64], value: f64) -> Space {
-        let mut smaller = space.within(self.family.symmetry).into_iter();
-        match smaller.find(|space| self.belongs_to(*space, state, value)) {
-            Some(smaller) => self.smallest(smaller, state, value),
+        let parameters = [value];
+        let mut smaller = self.family.images_within(space, state, &parameters, TOLERANCES[0]);
+        match smaller.find(|(_, image)| self.is_closed(image, state, value)) {
+            Some((smaller, _)) => self.smallest(smaller, state, value),
             None => space,
         }
     }
 
     /// Returns `true` if a closed motion is one of a space.
     pub(super) fn belongs_to(&self, space: Space, state: &[f64], value: f64) -> bool {
+        let image = self.family.image(space, state, &[value], TOLERANCES[0]);
+        image.is_some_and(|image| self.is_closed(&image, state, value))
+    }
+
+    fn is_closed(&self, image: &Image, state: &[f64], value: f64) -> bool {
         /// Largest defect relative to the size of the state: a closed motion differs from its mirror image by rounding errors or by far more.
         const SAME: f64 = 1e-9;
         let sizes = self.family.sizes_of(state, value, LEAST);
-        let image = self.family.image(space, state, &[value], TOLERANCES[0]);
         // Without a drive the last component of the defect, which has no size here, is the phase condition.
-        image.is_some_and(|image| image.defect.iter().zip(&sizes).all(|(d, size)| d.abs() <= SAME * size))
+        image.defect.iter().zip(&sizes).all(|(d, size)| d.abs() <= SAME * size)
     }
 
     /// The branch through a motion at a value, in both directions.

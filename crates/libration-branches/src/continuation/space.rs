@@ -1,7 +1,7 @@
 //! Spaces of periodic motions, each of which is followed separately.
 
 use super::mirror::Mirror;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// Period of a motion, in halves of the drive's period, and its symmetry.
 ///
@@ -15,6 +15,8 @@ pub struct Space {
     pub mirrored: bool,
     /// The angle that rotates during this time, for rotating solutions.
     pub rotation: Option<Rotation>,
+    /// The turns by which the mirror image lies beside the motion, which is its own image about another place, such as the upright pendulum.
+    pub(super) beside: Option<Rotation>,
 }
 
 /// An angle that returns after whole turns.
@@ -38,7 +40,7 @@ pub(super) enum Symmetry {
 impl Space {
     /// Space of motions with a period of this number of drive periods.
     pub(super) const fn of_periods(periods: u32) -> Self {
-        Self { half_periods: 2 * periods, mirrored: false, rotation: None }
+        Self { half_periods: 2 * periods, mirrored: false, rotation: None, beside: None }
     }
 
     /// Space of the symmetric motions within this one; `None` if there are none.
@@ -49,7 +51,7 @@ impl Space {
             Symmetry::HalfPeriod => !half_periods.is_multiple_of(2),
         };
         let may_be = fits && !self.mirrored && self.rotation.is_none();
-        may_be.then_some(Self { half_periods, mirrored: true, rotation: None })
+        may_be.then_some(Self { half_periods, mirrored: true, rotation: None, beside: None })
     }
 
     /// The spaces contained in this one: of symmetric motions, and of motions with half the period.
@@ -64,7 +66,7 @@ impl Space {
     /// The space of the motions that branch off: twice as long, without a mirror.
     pub(super) fn doubled(self) -> Self {
         let rotation = self.rotation.map(Rotation::doubled);
-        Self { half_periods: 2 * self.half_periods, mirrored: false, rotation }
+        Self { half_periods: 2 * self.half_periods, mirrored: false, rotation, beside: None }
     }
 
     /// Number of drive periods in the period of the motion; a mirrored motion needs twice the time to return to its state.
@@ -78,13 +80,29 @@ impl Space {
         self.rotation.map_or(0, |rotation| rotation.turns_of(number))
     }
 
+    /// Number of turns between the end, or its mirror image, and the start.
+    pub(super) fn turns_missed(self, number: usize) -> i32 {
+        self.turns_of(number) + self.turns_beside(number)
+    }
+
+    /// Number of turns between the mirror image of a component and the component.
+    pub(super) fn turns_beside(self, number: usize) -> i32 {
+        self.beside.map_or(0, |beside| beside.turns_of(number))
+    }
+
+    /// The only state that is its own mirror image at all times, if the image changes all components.
+    pub(super) fn fixed_state(self, mirror: &Mirror) -> Option<Vec<f64>> {
+        let half_turns = |(number, x): (usize, &f64)| x - PI * f64::from(self.turns_beside(number));
+        mirror.fixed_state().map(|state| state.iter().enumerate().map(half_turns).collect())
+    }
+
     /// Difference between the end, or its mirror image, and the start, without the turns.
     pub(super) fn missed(self, end: &[f64], start: &[f64], mirror: &Mirror) -> Vec<f64> {
         let image = |component: usize, x: f64| if self.mirrored { mirror.image(component, x) } else { x };
         let pairs = end.iter().zip(start).enumerate();
         pairs
             .map(|(number, (end, start))| {
-                image(number, *end) - start - TAU * f64::from(self.turns_of(number))
+                image(number, *end) - start - TAU * f64::from(self.turns_missed(number))
             })
             .collect()
     }

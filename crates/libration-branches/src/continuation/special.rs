@@ -2,7 +2,7 @@
 
 use super::corrector::{Corrected, Corrector};
 use super::description::parameter_error;
-use super::family::TOLERANCES;
+use super::family::{Image, TOLERANCES};
 use super::hopf::hopf;
 use super::node::{Node, Tests, between};
 use super::point::BranchPoint;
@@ -172,9 +172,9 @@ impl Stretch<'_> {
 
     /// The distance of a state from the centre of the mirror, in scaled units; infinite if other states are their own mirror images too.
     fn distance_from_rest(&self, position: &[f64]) -> f64 {
-        let Corrector { family, .. } = self.corrector;
-        let Some(rest) = family.mirror.fixed_state() else { return f64::INFINITY };
-        norm(&difference(family.state(position), rest, self.units))
+        let Corrector { family, space, .. } = self.corrector;
+        let Some(rest) = space.fixed_state(&family.mirror) else { return f64::INFINITY };
+        norm(&difference(family.state(position), &rest, self.units))
     }
 
     /// The distance in units that a state moves in the time of one radian of phase, if no drive sets the period.
@@ -214,7 +214,7 @@ impl Stretch<'_> {
         let Corrector { family, space, .. } = self.corrector;
         let meeting = |space: Space, unknowns: Vec<f64>| Meeting { parameter: *parameter, unknowns, space };
         if space.mirrored {
-            let mut rest = family.mirror.fixed_state()?.to_vec();
+            let mut rest = space.fixed_state(&family.mirror)?;
             rest.resize(unknowns.len(), 0.0);
             return (self.distance_from_rest(&turn) < REST).then(|| meeting(Space::of_periods(1), rest));
         }
@@ -234,12 +234,11 @@ impl Stretch<'_> {
     fn smaller_space(&self, position: &[f64], largest: f64) -> Option<Space> {
         let (parameter, unknowns) = position.split_last()?;
         let Corrector { family, space, tolerance, .. } = self.corrector;
-        let misses = |smaller: Space| {
-            let image = family.image(smaller, unknowns, &[*parameter], *tolerance)?;
-            Some(norm(&image.defect.iter().zip(self.units).map(|(d, unit)| d / unit).collect::<Vec<_>>()))
+        let misses = |image: &Image| {
+            norm(&image.defect.iter().zip(self.units).map(|(d, unit)| d / unit).collect::<Vec<_>>())
         };
-        let mut smaller = space.within(family.symmetry).into_iter();
-        smaller.find(|smaller| misses(*smaller).is_some_and(|off| off < largest))
+        let mut smaller = family.images_within(*space, unknowns, std::slice::from_ref(parameter), *tolerance);
+        smaller.find(|(_, image)| misses(image) < largest).map(|(smaller, _)| smaller)
     }
 
     /// The singular points on the stretch, in order, and whether all of which a test has another sign at its end were located.

@@ -1,10 +1,12 @@
 //! Whole turns, which change the values of coordinates and not the motion.
 
+use super::space::Rotation;
 use libration_motion::chaos::turning_groups;
 use libration_numbers::expression::Equation;
 use std::f64::consts::TAU;
 
 /// The groups of coordinates that turn together without a change of the equations.
+#[derive(Debug)]
 pub(super) struct Turns(Vec<Vec<usize>>);
 
 impl Turns {
@@ -14,6 +16,17 @@ impl Turns {
 
     pub(super) fn is_angle(&self, coordinate: usize) -> bool {
         self.0.iter().any(|group| **group == [coordinate])
+    }
+
+    /// The angle that differs by whole turns, if it is only one.
+    pub(super) fn between(&self, differences: &[f64]) -> Option<Rotation> {
+        let turns = |angle: &Vec<usize>| {
+            let &[coordinate] = &angle[..] else { return None };
+            let turns = libm::rint(differences[coordinate] / TAU);
+            (turns != 0.0).then_some(Rotation { coordinate, turns: turns as i32 })
+        };
+        let mut all = self.0.iter().filter_map(turns);
+        all.next().filter(|_| all.next().is_none())
     }
 
     /// Returns `true` for a coordinate that turns with others.

@@ -1,9 +1,10 @@
 //! The same system in two forms has the same special points.
 
 use crate::typed::equation;
-use libration::continuation::{Response, ResponseOptions};
+use libration::continuation::{Response, ResponseOptions, SpecialKind};
 use libration::orbit::Orbit;
 use libration::progress::Quiet;
+use std::f64::consts::{PI, TAU};
 
 /// A response as it is compared.
 #[derive(Debug)]
@@ -71,13 +72,40 @@ fn units_and_centres_change_neither_branches_nor_jumps() {
         let about = |centre: &str| driven(force(&format!("(x - {centre})")), &cosine);
         let first_order = format!("x' = v; v' = -{damping}*v - ({}) + {cosine}", force("x"));
         let mut forms = vec![about("0.73"), about("(-12.5)"), driven(force("x"), &sine), first_order];
-        // Angles have no other units.
-        if !force("x").starts_with("sin") {
+        // Angles have no other units. The centre nearest to zero may be the top, half a turn away.
+        if force("x").starts_with("sin") {
+            forms.extend(["1.7", "(-2)", "3"].map(about));
+        } else {
             forms.extend(["1000", "(1/1000)", "(1/100000)", "10000000"].map(in_units));
         }
         for form in forms {
             plain.assert_same(&Outline::new(&form, [0.5, 2.2]), &form);
         }
+    }
+}
+
+/// A motion about the top is its own image about the top, whether the angle is counted from there or from the bottom. It loses its symmetry to
+/// two motions, which a pendulum counted from the bottom passes half a turn from the centre of its own.
+#[test]
+fn the_upright_pendulum_is_symmetric_about_the_top() {
+    let upright = |force: &str, start: f64| {
+        let text = format!("x'' = -x'/5 {force} (1 - 20*cos(10*t))*sin(x) + A*cos(5*t)");
+        let options = ResponseOptions { start: Some(vec![start, 0.0]), ..ResponseOptions::default() };
+        let response = Response::over(&equation(&text), "A", [0.1, 30.0], &options, &Quiet).unwrap();
+        let lost = response.branches.iter().filter(|branch| branch.space.mirrored).flat_map(|branch| {
+            assert!(branch.points.iter().all(|point| point.rotation.is_none()));
+            branch.special.iter().map(|special| (special.kind, special.point.parameter, special.error))
+        });
+        let lost: Vec<_> = lost.collect();
+        assert_eq!(response.branches.iter().filter(|branch| branch.space.mirrored).count(), 2, "{text}");
+        let [(SpecialKind::SymmetryBreaking, value, error)] = lost[..] else { panic!("{text}: {lost:?}") };
+        assert!(error < 1e-11, "{text}: {error:e}");
+        value
+    };
+    let expected = upright("+", 0.0);
+    for (force, start) in [("+", TAU), ("-", PI), ("-", -PI), ("-", 5.0 * PI)] {
+        let value = upright(force, start);
+        assert!((value - expected).abs() < 1e-11, "{force} {start}: {value} {expected}");
     }
 }
 

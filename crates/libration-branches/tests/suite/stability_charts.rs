@@ -342,8 +342,15 @@ fn charts_about_another_centre_are_the_same() {
     };
     let pivot = |x: &str| format!("x'' = -x'/10 - (1 - a*w^2*cos(w*t))*sin({x})");
     let spring = |x: &str| format!("x'' = -x'/10 - {x} - {x}^3 + a*cos(w*t)");
-    for equation in [&pivot as &dyn Fn(&str) -> String, &spring] {
-        let [centred, shifted] = ["x", "(x - 0.73)"].map(|x| chart(equation(x), [[1.5, 2.5], [0.1, 0.9]], 1));
+    // Nearest to zero is the top of the last.
+    let torque = |x: &str| format!("x'' = -0.1619*x' - sin({x}) + a*cos(w*t)");
+    let near_two = [[1.5, 2.5], [0.1, 0.9]];
+    for (equation, elsewhere, ranges) in [
+        (&pivot as &dyn Fn(&str) -> String, "(x - 0.73)", near_two),
+        (&spring, "(x - 0.73)", near_two),
+        (&torque, "(x - 1.7)", [[0.4, 1.2], [0.05, 0.5]]),
+    ] {
+        let [centred, shifted] = ["x", elsewhere].map(|x| chart(equation(x), ranges, 1));
         assert_eq!(centred.rest.is_some(), shifted.rest.is_some(), "{}", equation("x"));
         assert!(!centred.curves.is_empty(), "{}", equation("x"));
         let outline = |chart: &StabilityChart| -> Vec<(SpecialKind, bool, bool, [f64; 2])> {
