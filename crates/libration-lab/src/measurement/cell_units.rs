@@ -1,8 +1,34 @@
-//! The units of single cells, as in a column of `10cm` and `1.2m`: one for each column, to which all its numbers are converted.
+//! The units of single cells, as in a column of `10cm` and `1.2m`, or in a column of their own: one for each column of numbers, to which all of
+//! them are converted.
 
 use super::Unit;
 use super::dialect::TextRow;
 use super::number::Cell;
+use super::sheet::Channel;
+
+/// Headings of a column of units.
+const HEADINGS: [&str; 20] = [
+    "unit",
+    "units",
+    "einheit",
+    "einheiten",
+    "unité",
+    "unités",
+    "unite",
+    "unidad",
+    "unidades",
+    "unità",
+    "unita",
+    "unidade",
+    "eenheid",
+    "enhet",
+    "enhed",
+    "jednostka",
+    "jednotka",
+    "единица",
+    "单位",
+    "単位",
+];
 
 /// The units of the cells of each column, row by row.
 pub(super) struct CellUnits(Vec<Vec<Option<Unit>>>);
@@ -22,6 +48,27 @@ impl CellUnits {
     /// The unit of the first cell of a column with a unit.
     pub(super) fn first(&self, column: usize) -> Option<Unit> {
         self.0[column].iter().flatten().next().copied()
+    }
+
+    /// Takes the words of a column of units as those of the numbers in the column before it, whose cells have none; returns `false` if it is none. Where
+    /// there is one unit alone, it is also that of rows where its cell is blank.
+    pub(super) fn take_column(&mut self, column: usize, channels: &[Channel]) -> bool {
+        let [.., numbers, units] = &channels[..=column] else { return false };
+        let heading = units.heading.text.to_lowercase();
+        if self.first(column - 1).is_some()
+            || numbers.count() == 0
+            || units.count() > 0
+            || !HEADINGS.contains(&heading.trim())
+        {
+            return false;
+        }
+        let read = units.words.iter().map(|(row, word)| Some((*row, word.parse().ok()?)));
+        let Some(read) = read.collect::<Option<Vec<(usize, Unit)>>>() else { return false };
+        let Some((_, first)) = read.first() else { return false };
+        let only = read.iter().all(|(_, unit)| unit == first).then_some(*first);
+        self.0[column - 1].fill(only);
+        read.iter().for_each(|(row, unit)| self.0[column - 1][*row] = Some(*unit));
+        true
     }
 
     /// Converts all numbers of a column and their uncertainties to this unit; the error states the mixture: numbers with and without a unit, unless the

@@ -150,9 +150,10 @@ impl Sheet {
                 Next::End => break,
             }
         }
-        sheet.take_units(&units)?;
         let below = blocks.finish(sheet.rows(), sheet.preamble.last().map(|(_, text)| text));
         sheet.remarks = below.remarks;
+        sheet.take_columns_of_units(&mut units);
+        sheet.take_units(&units)?;
         if !below.groups.is_empty() {
             sheet.channels.push(Channel::of_groups(below.groups));
         }
@@ -164,6 +165,19 @@ impl Sheet {
         let text = "the quantities stand in rows, which are read as columns: what is called line 2 is column 2 of the file";
         self.remarks.push(text.to_owned());
         self
+    }
+
+    /// Empties columns of units, which become those of the numbers before them.
+    fn take_columns_of_units(&mut self, units: &mut CellUnits) {
+        for index in 1..self.channels.len() {
+            if units.take_column(index, &self.channels) {
+                let [of, words] = [index - 1, index].map(|index| self.describe(index));
+                self.remarks.push(format!("{words} has the units of {of}"));
+                let channel = &mut self.channels[index];
+                channel.cells.fill(Cell::Missing);
+                channel.words.clear();
+            }
+        }
     }
 
     /// Converts the numbers of each column whose cells have units to the unit of its header, or of its first cell.

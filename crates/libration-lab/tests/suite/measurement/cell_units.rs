@@ -37,6 +37,41 @@ fn units_of_one_quantity_are_brought_to_one() {
 }
 
 #[test]
+fn units_may_have_a_column_of_their_own() {
+    let read =
+        |text: &str| table(text).unwrap().select(&[Column::Number(1), Column::Number(3)]).unwrap().columns;
+    let truth = [10.0, 20.0, 40.0, 0.635, 0.897, 1.269];
+    for text in [
+        "length,unit,T,unit\n10,cm,635,ms\n20,cm,897,ms\n40,cm,1.269,s\n",
+        "L;Einheit;T;Einheit\n10;cm;0,635;s\n0,2;m;0,897;s\n400;mm;1,269;s\n",
+        "length\tUnits\tT\tUnits\n10\tcm\t0.635\ts\n20\t\t0.897\t\n40\t\t1.269\t\n",
+    ] {
+        let table = table(text).unwrap();
+        assert_eq!(
+            table.unit(&Column::Number(1), Role::Lengths).unwrap(),
+            WrittenUnit::Known(Unit::Centimetre)
+        );
+        let computed = read(text).concat();
+        let factor = if text.contains("635,ms") { 1e3 } else { 1.0 };
+        let scaled = truth.iter().enumerate().map(|(row, x)| if row < 3 { *x } else { factor * x });
+        assert!(
+            computed.iter().zip(scaled).all(|(a, b)| (a / b - 1.0).abs() < 1e-15),
+            "{text}: {computed:?}"
+        );
+    }
+    // Of other quantities, and without one in some rows.
+    for text in ["L,unit,T (s)\n10,cm,0.6\n20,s,0.9\n", "L,unit,T (s)\n10,cm,0.6\n20,,0.9\n0.4,m,1.2\n"] {
+        assert!(matches!(table(text), Err(MeasurementError::MixedUnits { .. })), "{text}");
+    }
+    let stated = table("L (m),unit,T (s)\n10,cm,0.6\n20,cm,0.9\n").unwrap();
+    assert_eq!(stated.select(&[Column::Number(1)]).unwrap().columns[0], [0.1, 0.2]);
+    assert_eq!(stated.unit(&Column::Number(1), Role::Lengths).unwrap(), WrittenUnit::Known(Unit::Metre));
+    // Groups that are no units.
+    let groups = table("L,unit,T (s)\n10,A,0.6\n20,m,0.9\n").unwrap();
+    assert_eq!(groups.unit(&Column::Number(1), Role::Lengths).unwrap(), WrittenUnit::Nothing);
+}
+
+#[test]
 fn units_that_do_not_go_together_are_refused() {
     for text in ["L,T\n10cm,0.6s\n20cm,0.9s\n0.4,1.2s\n", "L,T\n10cm,0.6s\n20cm,0.9s\n3s,1.2s\n"] {
         assert!(matches!(table(text), Err(MeasurementError::MixedUnits { .. })), "{text}");
