@@ -47,6 +47,7 @@ def fit_gates(
     linear: Quantity | None = None,
     time: int | str | None = None,
     time_unit: str | None = None,
+    frame_rate: Value | None = None,
     angle: int | str | None = None,
     angular_velocity: int | str | None = None,
     angle_unit: str | None = None,
@@ -159,6 +160,8 @@ def fit_gates(
         Column of times, by number or name.
     time_unit : str, optional
         Unit of times: s, ms, us, min.
+    frame_rate : float or str, optional
+        Times are numbers of frames of a video, with this many frames per second.
     angle : int or str, optional
         Column of angles, by number or name.
     angular_velocity : int or str, optional

@@ -24,6 +24,7 @@ def inspect(
     angles: Literal["degrees", "radians"] | None = None,
     time: int | str | None = None,
     time_unit: str | None = None,
+    frame_rate: Value | None = None,
     angle: int | str | None = None,
     angular_velocity: int | str | None = None,
     angle_unit: str | None = None,
@@ -85,6 +86,8 @@ def inspect(
         Column of times, by number or name.
     time_unit : str, optional
         Unit of times: s, ms, us, min.
+    frame_rate : float or str, optional
+        Times are numbers of frames of a video, with this many frames per second.
     angle : int or str, optional
         Column of angles, by number or name.
     angular_velocity : int or str, optional

@@ -27,6 +27,7 @@ fn tables_of_lengths_are_read_as_they_are_written() {
         ("squares.csv", "read as squares of the period: column 2 (`T^2 (s^2)`)"),
         ("names_and_mean.csv", "line 8 (`mean`) is left out"),
         ("units_below.csv", "column 1 (`L`) is in cm"),
+        ("units_beside.csv", "column 2 (`unit`) has the units of column 1 (`L`)"),
         ("ten_swings.csv", "holds times of 10 periods"),
     ] {
         let (answer, told) = lengths(&example(name));

@@ -36,6 +36,8 @@ pub struct Choices {
     pub time: Option<Column>,
     /// The unit of times.
     pub time_unit: Option<Unit>,
+    /// Number of frames in a second, if the times are numbers of frames of a video.
+    pub frame_rate: Option<f64>,
     /// The column of angles.
     pub angle: Option<Column>,
     /// The column of angular velocities.
@@ -91,6 +93,8 @@ pub enum Choice {
     Time,
     /// The unit of times.
     TimeUnit,
+    /// Frames of a video in a second.
+    FrameRate,
     /// The column of angles.
     Angle,
     /// The column of angular velocities.
@@ -129,6 +133,7 @@ impl fmt::Display for Choice {
             Self::Run => "run",
             Self::Time => "time",
             Self::TimeUnit => "time-unit",
+            Self::FrameRate => "frame-rate",
             Self::Angle => "angle",
             Self::AngularVelocity => "angular-velocity",
             Self::Unit => "angle-unit",

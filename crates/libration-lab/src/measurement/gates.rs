@@ -6,7 +6,7 @@ use super::heading::{Measures, Unit};
 use super::recording::Recording;
 use super::sheet::Sheet;
 use super::signal::SignalPassages;
-use super::traces::units::of_times;
+use super::traces::units::{Scale, counts_frames, of_times, which_rate};
 use super::{MeasurementError, QuantityKind};
 use crate::statistics::lower_median;
 use libration::quantity::short;
@@ -107,7 +107,7 @@ impl SignalRows {
     fn new(
         sheet: &Sheet,
         [time, signal]: [usize; 2],
-        unit: Unit,
+        unit: Scale,
         choices: &Choices,
     ) -> Result<Self, MeasurementError> {
         let mut all = Self::default();
@@ -187,7 +187,7 @@ fn refuse_samples(sheet: &Sheet, time: usize) -> Result<(), MeasurementError> {
     let (times, other) = (sheet.describe(time), sheet.describe(other));
     // In any unit: passages depend on the order of the times and not on their scale.
     let has_passages = |column: usize| {
-        let rows = SignalRows::new(sheet, [time, column], Unit::Second, &Choices::default());
+        let rows = SignalRows::new(sheet, [time, column], Scale::Unit(Unit::Second), &Choices::default());
         rows.is_ok_and(|rows| rows.passages().is_some())
     };
     let is_signal = |column: &usize| {
@@ -279,11 +279,15 @@ fn unit(
     column: usize,
     choices: &Choices,
     findings: &mut Vec<Finding>,
-) -> Result<Unit, MeasurementError> {
+) -> Result<Scale, MeasurementError> {
+    if let Some(rate) = choices.frame_rate {
+        return Ok(Scale::Frames(rate));
+    }
     let heading = &sheet.channels[column].heading;
     let (unit, why) = match (choices.time_unit, heading.unit, &heading.unit_text) {
-        (Some(unit), ..) => return of_time(unit),
+        (Some(unit), ..) => return of_time(unit).map(Scale::Unit),
         (None, Some(unit), _) => (of_time(unit)?, "as the header says"),
+        (None, None, None) if counts_frames(sheet, column) => return Err(which_rate(sheet, column)),
         (None, None, None) => {
             refuse_unlikely_seconds(sheet, column)?;
             (Unit::Second, "since no unit is written")
@@ -293,7 +297,7 @@ fn unit(
         }
     };
     findings.push(Finding::new(format!("times are in {unit}, {why}"), Choice::TimeUnit));
-    Ok(unit)
+    Ok(Scale::Unit(unit))
 }
 
 fn which_unit(question: String) -> MeasurementError {

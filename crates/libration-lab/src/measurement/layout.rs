@@ -11,6 +11,9 @@ use libration::quantity::excerpt;
 /// More columns than any instrument writes.
 const MOST_COLUMNS: usize = 10_000;
 
+/// Fewest rows of a recording, whose first line may have been cut: a shorter table was typed.
+const RECORDED: usize = 50;
+
 /// Parts of a text.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct TextLayout {
@@ -20,6 +23,8 @@ pub(super) struct TextLayout {
     pub(super) header_line: Option<u64>,
     /// The line of the first row of numbers.
     pub(super) first_line: u64,
+    /// The first line, if it is no row like those of a long recording below it, as at the start of a serial connection.
+    pub(super) broken: Option<(u64, String)>,
     /// The lines above the header that are not numbers.
     pub(super) preamble: Vec<(u64, String)>,
     /// Names in the header beyond the last column.
@@ -41,10 +46,18 @@ impl TextLayout {
             Header::Line(line) => Some(row_at(&above, line)? + 1),
         };
         let body = body.filter(|&body| body < above.len()).ok_or(MeasurementError::Empty)?;
-        let first_line = above[body].line;
+        let (first_line, below) = (above[body].line, above.len() - body);
         above.truncate(body);
+        let mut broken = None;
         if header == Header::Detect {
-            refuse_numbers(&above, dialect.mark, |row| is_header(row, &above, text, filled))?;
+            let checked = refuse_numbers(&above, dialect.mark, |row| is_header(row, &above, text, filled));
+            match (checked, &above[..]) {
+                (Err(MeasurementError::NeitherHeaderNorNumbers { line }), [only]) if below >= RECORDED => {
+                    broken = Some((line, excerpt(&only.cells.iter().collect::<Vec<_>>().join(" "))));
+                    above.clear();
+                }
+                (checked, _) => checked?,
+            }
         }
         // A column may be named and have no numbers.
         let named = above.iter().rev().take(3).map(TextRow::filled).filter(|&names| names <= length).max();
@@ -54,6 +67,7 @@ impl TextLayout {
             headings: names.headings,
             header_line: names.line,
             first_line,
+            broken,
             preamble: names.preamble,
             beyond: names.beyond,
             are_numbers: balance.into_iter().map(|excess| excess > 0).collect(),

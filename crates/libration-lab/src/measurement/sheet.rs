@@ -152,6 +152,9 @@ impl Sheet {
         }
         let below = blocks.finish(sheet.rows(), sheet.preamble.last().map(|(_, text)| text));
         sheet.remarks = below.remarks;
+        let cut =
+            |(line, text)| format!("line {line} (`{text}`) is left out: it is not a row like those below it");
+        sheet.remarks.extend(layout.broken.map(cut));
         sheet.take_columns_of_units(&mut units);
         sheet.take_units(&units)?;
         if !below.groups.is_empty() {

@@ -162,6 +162,48 @@ fn counts_become_turns_and_jumps_are_taken_out() {
 }
 
 #[test]
+fn numbers_of_frames_become_times() {
+    for name in ["frame", "Frame number", "Bildnummer", "Fotograma"] {
+        let rows = (0..200).map(|row| format!("{},{}\n", row + 40, swing(row).1));
+        let file = format!("{name},angle (rad)\n{}", rows.collect::<String>());
+        let refused = traces(&file, &Choices::default()).unwrap_err().to_string();
+        assert!(
+            refused.contains("counts the frames") && refused.ends_with("give frame-rate=30"),
+            "{refused}"
+        );
+        let choices = Choices { frame_rate: Some(240.0), from: Some(0.25), ..Choices::default() };
+        let recording = traces(&file, &choices).unwrap();
+        let times = recording.traces[0].times();
+        assert_eq!((times.len(), times[0], times[times.len() - 1]), (180, 0.25, 239.0 / 240.0), "{name}");
+    }
+    // Edges of a gate in a video, and dips of a signal.
+    let gate = (0..40).map(|edge| format!("{},{}\n", 25 * edge + 3 * (edge % 2), (edge + 1) % 2));
+    let file = format!("frame,gate\n{}", gate.collect::<String>());
+    let frames = Choices { time: named("frame"), ..Choices::default() };
+    let refused = recording(file.as_bytes()).gate_times(&frames).unwrap_err().to_string();
+    assert!(refused.ends_with("give frame-rate=30"), "{refused}");
+    let at_fifty = Choices { frame_rate: Some(50.0), ..frames };
+    let gates = recording(file.as_bytes()).gate_times(&at_fifty).unwrap();
+    assert_eq!(gates.times[..3], [0.0, 0.56, 1.0]);
+}
+
+/// A serial connection begins within a row. A short table may have been typed.
+#[test]
+fn a_first_line_that_is_no_row_is_left_out_of_a_long_recording() {
+    let rows = |number: usize| (0..number).map(|row| format!("{},{}\n", swing(row).0, swing(row).1));
+    for first in ["12 0.3", "0.297", "3e,0.1"] {
+        let file = format!("{first}\n{}", rows(200).collect::<String>());
+        let angles = Choices { unit: Some(Unit::Radian), ..Choices::default() };
+        assert_eq!(traces(&file, &angles).unwrap().traces[0].times().len(), 200, "{first}");
+        let findings = recording(file.as_bytes()).findings();
+        assert!(findings.iter().any(|finding| finding.to_string().contains("line 1 (`")), "{findings:?}");
+    }
+    let typed = format!("12 0.3\n{}", rows(40).collect::<String>());
+    let short = Recording::read(typed.as_bytes(), &ReadOptions::default()).unwrap_err();
+    assert!(matches!(short, MeasurementError::NeitherHeaderNorNumbers { line: 1 }), "{short}");
+}
+
+#[test]
 fn a_gyroscope_is_read_about_the_axis_it_turns_about() {
     let mut file = "\"Time (s)\",\"Gyroscope x (rad/s)\",\"Gyroscope y (rad/s)\",\"Gyroscope z (rad/s)\",\"Absolute (rad/s)\"\n".to_owned();
     for row in 0..100 {

@@ -21,6 +21,9 @@ pub(crate) struct RecordingOptions {
     /// Unit of times: s, ms, us, min
     #[arg(long, value_name = "UNIT", value_parser = unit)]
     time_unit: Option<Unit>,
+    /// Times are numbers of frames of a video, with this many frames per second
+    #[arg(long, value_name = "F", value_parser = super::positive, conflicts_with = "time_unit")]
+    frame_rate: Option<f64>,
     /// Column of angles, by number or name
     #[arg(long, value_name = "COLUMN", value_parser = column)]
     angle: Option<Column>,
@@ -109,6 +112,7 @@ impl RecordingOptions {
             run: self.run.clone(),
             time: self.time.clone(),
             time_unit: self.time_unit,
+            frame_rate: self.frame_rate,
             angle: self.angle.clone(),
             angular_velocity: self.angular_velocity.clone(),
             unit: self.angle_unit,

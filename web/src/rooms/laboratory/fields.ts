@@ -12,7 +12,7 @@ export type Key = keyof typeof words;
 
 const APPARATUS: readonly Key[] = ["length", "bob-radius", "bob-mass", "bob-density", "rod-mass", "rod-length", "air-density", "stretch", "angle-scale", "clock"];
 const READING: readonly Key[] = [
-  "time", "time-unit", "angle", "angular-velocity", "unit", "counts-per-turn", "x", "y", "pivot", "uncertainty", "gate", "signal", "from", "to", "even-times", "times-as-written", "run", "sheet", "delimiter", "decimal", "header",
+  "time", "time-unit", "frame-rate", "angle", "angular-velocity", "unit", "counts-per-turn", "x", "y", "pivot", "uncertainty", "gate", "signal", "from", "to", "even-times", "times-as-written", "run", "sheet", "delimiter", "decimal", "header",
 ];
 const DIALECT: readonly Key[] = ["sheet", "delimiter", "decimal", "header"];
 const TABLE: readonly Key[] = ["columns", "least", "most", "groups", ...DIALECT];
@@ -43,7 +43,7 @@ export const ROLES = "roles";
 
 const TICKS = new Set<Key>(["robust", "free-scale", "half-periods", "even-times", "times-as-written"]);
 /** Numbers with units, in which a comma can only be a decimal comma. */
-const QUANTITIES = new Set<Key>([...APPARATUS, "diameter", "gate-distance", "amplitude", "edges", "swings-per-reading", "reaction-time", "shared-timing", "reject-outliers", "linear-damping", "period", "counts-per-turn", "from", "to", "least", "most"]);
+const QUANTITIES = new Set<Key>([...APPARATUS, "diameter", "gate-distance", "amplitude", "edges", "swings-per-reading", "reaction-time", "shared-timing", "reject-outliers", "linear-damping", "period", "counts-per-turn", "frame-rate", "from", "to", "least", "most"]);
 const SELECTED = new Set<Key>(["delimiter", "decimal", "signals", "shape", "oscillator", "pendulum", "measured", "against", "sides", "errors"]);
 const UNITS: Readonly<Partial<Record<Key, readonly string[]>>> = {
   "frequency-unit": ["Hz", "kHz", "rad/s", "deg/s"],

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::super::choices::{Choice, Choices, Finding};
 use super::super::sheet::Sheet;
-use super::super::{Faults, FittedPivot, MeasurementError, Observable, Trace, Unit};
+use super::super::{Faults, FittedPivot, MeasurementError, Observable, Trace};
 use super::columns::Columns;
 use super::sequence::Sequence;
 use super::value::Value;
@@ -176,7 +176,7 @@ impl RunRows {
     }
 
     /// Leaves out rows before and after the requested times.
-    fn keep_between(&mut self, unit: Unit, choices: &Choices) -> Result<(), MeasurementError> {
+    fn keep_between(&mut self, unit: units::Scale, choices: &Choices) -> Result<(), MeasurementError> {
         let (from, to) = (choices.from.unwrap_or(f64::NEG_INFINITY), choices.to.unwrap_or(f64::INFINITY));
         let is_between = |row: &usize| (from..=to).contains(&unit.to_si(self.times[*row]));
         let kept: Vec<usize> = (0..self.rows.len()).filter(is_between).collect();

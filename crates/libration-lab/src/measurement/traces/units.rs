@@ -8,31 +8,41 @@ use super::super::sheet::Sheet;
 use super::super::{MeasurementError, Observable, Unit};
 use super::columns::what_it_holds;
 
-/// Conversion of a number of the file into radians or radians per second.
+/// Conversion of a number of the file into seconds, radians or radians per second.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Scale {
+pub(in crate::measurement) enum Scale {
     Unit(Unit),
     /// Counts in a turn.
     Counts(f64),
+    /// Frames in a second.
+    Frames(f64),
 }
 
+/// Beginnings of the names of columns that count the frames of a video.
+const FRAMES: [&str; 9] =
+    ["frame", "bild", "image", "fotogram", "cuadro", "quadro", "klatka", "snímek", "beeld"];
+
 impl Scale {
-    pub(super) fn to_si(self, value: f64) -> f64 {
+    pub(in crate::measurement) fn to_si(self, value: f64) -> f64 {
         match self {
             Self::Unit(unit) => unit.to_si(value),
             Self::Counts(in_a_turn) => value * TAU / in_a_turn,
+            Self::Frames(in_a_second) => value / in_a_second,
         }
     }
 }
 
-/// The unit of times: the given one, the one in the header, or seconds if the steps can be seconds.
+/// The scale of times: the given one, the one in the header, or seconds if the steps can be seconds.
 pub(in crate::measurement) fn of_times(
     times: &[f64],
     sheet: &Sheet,
     column: usize,
     choices: &Choices,
     tell: &mut impl FnMut(Finding),
-) -> Result<Unit, MeasurementError> {
+) -> Result<Scale, MeasurementError> {
+    if let Some(rate) = choices.frame_rate {
+        return Ok(Scale::Frames(rate));
+    }
     let heading = &sheet.channels[column].heading;
     let unit = match (choices.time_unit, heading.unit, &heading.unit_text) {
         (Some(unit), ..) => unit,
@@ -44,6 +54,7 @@ pub(in crate::measurement) fn of_times(
             tell(Finding::new("times are taken as seconds, since no unit is given", Choice::TimeUnit));
             Unit::Second
         }
+        (None, None, None) if counts_frames(sheet, column) => return Err(which_rate(sheet, column)),
         (_, _, text) => {
             let question = match text {
                 Some(text) => format!("`{text}` is not a known unit of time"),
@@ -61,7 +72,21 @@ pub(in crate::measurement) fn of_times(
     if unit.measures() != Measures::Time {
         return Err(MeasurementError::WrongUnit { unit, of: "time", examples: "s, ms, us, min" });
     }
-    Ok(unit)
+    Ok(Scale::Unit(unit))
+}
+
+/// Returns `true` if the name of a column says numbers of frames.
+pub(in crate::measurement) fn counts_frames(sheet: &Sheet, column: usize) -> bool {
+    let name = sheet.channels[column].heading.text.to_lowercase();
+    FRAMES.iter().any(|frame| name.trim().starts_with(frame))
+}
+
+pub(in crate::measurement) fn which_rate(sheet: &Sheet, column: usize) -> MeasurementError {
+    let question = format!(
+        "{} counts the frames of a video, whose number per second is not given",
+        sheet.describe(column)
+    );
+    MeasurementError::Undecided { question, choices: vec![Suggestion::new(Choice::FrameRate, "30")] }
 }
 
 /// A pendulum is sampled between once in half a second and a hundred thousand times a second.
