@@ -29,8 +29,8 @@ def orbit(
     """A periodic orbit: its period, harmonics, Floquet multipliers and stability, with errors.
 
     For a driven system, the periodic response near the start, or the one to which the start leads;
-    without a drive, a motion released from rest, a limit cycle, or the orbit near a guess of its
-    period. Without a drive the period is the least one.
+    without a drive, the motion from the start if it returns, a limit cycle, or the orbit near a
+    guess of its period. Without a drive the period is the least one.
 
     Parameters
     ----------

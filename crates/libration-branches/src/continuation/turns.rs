@@ -22,8 +22,9 @@ impl Turns {
     pub(super) fn between(&self, differences: &[f64]) -> Option<Rotation> {
         let turns = |angle: &Vec<usize>| {
             let &[coordinate] = &angle[..] else { return None };
-            let turns = libm::rint(differences[coordinate] / TAU);
-            (turns != 0.0).then_some(Rotation { coordinate, turns: turns as i32 })
+            #[expect(clippy::cast_possible_truncation, reason = "rounded, and saturates where no motion is")]
+            let turns = libm::rint(differences[coordinate] / TAU) as i32;
+            (turns != 0).then_some(Rotation { coordinate, turns })
         };
         let mut all = self.0.iter().filter_map(turns);
         all.next().filter(|_| all.next().is_none())

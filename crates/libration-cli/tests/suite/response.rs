@@ -231,6 +231,7 @@ fn an_orbit_of_each_kind_is_told() {
     let kind = |question: &str| json(question)["kind"].as_str().unwrap().to_owned();
     assert_eq!(kind("orbit driven_pendulum --set A=0.15,c=0.1,omega=0.82"), "driven");
     assert_eq!(kind("orbit pendulum --initial theta=60deg"), "released");
+    assert_eq!(kind("orbit pendulum --initial theta'=1.9"), "family");
     assert_eq!(kind("orbit van_der_pol --initial x=0.5"), "limit_cycle");
     assert_eq!(kind("orbit x'=10*(y-x);y'=x*(28-z)-y;z'=x*y-8/3*z --initial x=1,y=1,z=20"), "passed");
     assert_eq!(kind("orbit lotka_volterra --initial x=1,y=2 --period 6.5"), "family");

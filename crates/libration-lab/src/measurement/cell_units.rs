@@ -4,7 +4,6 @@
 use super::Unit;
 use super::dialect::TextRow;
 use super::number::Cell;
-use super::sheet::Channel;
 
 /// Headings of a column of units.
 const HEADINGS: [&str; 20] = [
@@ -30,6 +29,11 @@ const HEADINGS: [&str; 20] = [
     "単位",
 ];
 
+/// Returns `true` for the heading of a column of units.
+pub(super) fn is_heading_of_units(text: &str) -> bool {
+    HEADINGS.contains(&text.trim().to_lowercase().as_str())
+}
+
 /// The units of the cells of each column, row by row.
 pub(super) struct CellUnits(Vec<Vec<Option<Unit>>>);
 
@@ -50,24 +54,15 @@ impl CellUnits {
         self.0[column].iter().flatten().next().copied()
     }
 
-    /// Takes the words of a column of units as those of the numbers in the column before it, whose cells have none; returns `false` if it is none. Where
-    /// there is one unit alone, it is also that of rows where its cell is blank.
-    pub(super) fn take_column(&mut self, column: usize, channels: &[Channel]) -> bool {
-        let [.., numbers, units] = &channels[..=column] else { return false };
-        let heading = units.heading.text.to_lowercase();
-        if self.first(column - 1).is_some()
-            || numbers.count() == 0
-            || units.count() > 0
-            || !HEADINGS.contains(&heading.trim())
-        {
-            return false;
-        }
-        let read = units.words.iter().map(|(row, word)| Some((*row, word.parse().ok()?)));
+    /// Takes the words of a column of units as those of the numbers in another column, whose cells have none; returns `false` if a word is not a
+    /// unit. Where there is one unit alone, it is also that of rows where its cell is blank.
+    pub(super) fn take_words(&mut self, column: usize, words: &[(usize, String)]) -> bool {
+        let read = words.iter().map(|(row, word)| Some((*row, word.parse().ok()?)));
         let Some(read) = read.collect::<Option<Vec<(usize, Unit)>>>() else { return false };
-        let Some((_, first)) = read.first() else { return false };
+        let Some((_, first)) = read.first().filter(|_| self.first(column).is_none()) else { return false };
         let only = read.iter().all(|(_, unit)| unit == first).then_some(*first);
-        self.0[column - 1].fill(only);
-        read.iter().for_each(|(row, unit)| self.0[column - 1][*row] = Some(*unit));
+        self.0[column].fill(only);
+        read.iter().for_each(|(row, unit)| self.0[column][*row] = Some(*unit));
         true
     }
 

@@ -23,7 +23,7 @@ pub(super) struct TextLayout {
     pub(super) header_line: Option<u64>,
     /// The line of the first row of numbers.
     pub(super) first_line: u64,
-    /// The first line, if it is no row like those of a long recording below it, as at the start of a serial connection.
+    /// The first line, if it is not a row like those of a long recording below it, as at the start of a serial connection.
     pub(super) broken: Option<(u64, String)>,
     /// The lines above the header that are not numbers.
     pub(super) preamble: Vec<(u64, String)>,

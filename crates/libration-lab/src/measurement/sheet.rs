@@ -1,7 +1,7 @@
 //! One table of a recording: channels of numbers under their headings.
 
 use super::blocks::{Blocks, Next};
-use super::cell_units::CellUnits;
+use super::cell_units::{CellUnits, is_heading_of_units};
 use super::dialect::{Dialect, TextRow};
 use super::heading::Heading;
 use super::layout::TextLayout;
@@ -173,7 +173,10 @@ impl Sheet {
     /// Empties columns of units, which become those of the numbers before them.
     fn take_columns_of_units(&mut self, units: &mut CellUnits) {
         for index in 1..self.channels.len() {
-            if units.take_column(index, &self.channels) {
+            let [numbers, channel] = [&self.channels[index - 1], &self.channels[index]];
+            let may_be =
+                numbers.count() > 0 && channel.count() == 0 && is_heading_of_units(&channel.heading.text);
+            if may_be && units.take_words(index - 1, &channel.words) {
                 let [of, words] = [index - 1, index].map(|index| self.describe(index));
                 self.remarks.push(format!("{words} has the units of {of}"));
                 let channel = &mut self.channels[index];

@@ -260,7 +260,7 @@ fn lost(error: Option<IntegrationError>, maxima: &Maxima) -> OrbitError {
             match (maxima.vanish() || maxima.is_still(), steps < MOST_STEPS) {
                 (true, _) => Lost::Rest,
                 (false, true) => Lost::Irregular(maxima.moments.last().map_or(0.0, |moment| moment.time)),
-                (false, false) => Lost::Slow { time, steps },
+                (false, false) => maxima.goes_round().unwrap_or(Lost::Slow { time, steps }),
             }
         }
         Some(IntegrationError::Stopped { cause: Cause::NoWayOn, .. }) if maxima.is_still() => Lost::Rest,
@@ -393,6 +393,15 @@ impl Maxima {
         /// Squares of distances must not overflow.
         const FAR: f64 = 1e100;
         self.range.1 - self.range.0 > FAR
+    }
+
+    /// The end of a motion that has left the range of its last swing by far since the last maximum.
+    fn goes_round(&self) -> Option<Lost> {
+        /// A slow motion of a relaxation oscillator stays within its swing.
+        const FAR: f64 = 10.0;
+        let last = self.moments.last().filter(|_| self.moments.len() > 1)?;
+        let gone = (self.state[self.coordinate] - last.state[self.coordinate]).abs();
+        (gone > FAR * self.swing[self.coordinate]).then_some(Lost::GoesRound(last.time))
     }
 
     /// Returns `true` if the last swing is negligible compared with the whole range.

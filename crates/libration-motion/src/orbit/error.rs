@@ -172,6 +172,12 @@ pub enum Lost {
     /// Rest that is approached for ever, or motion without end.
     #[error("it has no turning point before t = {}", short(*.0, DIGITS))]
     OneWay(f64),
+    /// Motion in one direction after oscillations, such as that of a pendulum that goes round.
+    #[error(
+        "after t = {} it no longer turns, as a pendulum that goes round: give a start nearer to an orbit that closes",
+        short(*.0, DIGITS)
+    )]
+    GoesRound(f64),
     /// An equilibrium.
     #[error("it comes to rest at an equilibrium")]
     Rest,

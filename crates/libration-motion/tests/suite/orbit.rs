@@ -926,6 +926,10 @@ fn a_start_that_moves_is_on_an_orbit_between_its_turning_points() {
             is_exact(&text, [start, velocity], 4.0 * unit / velocity.abs() + FRAC_PI_2);
         }
     }
+    // Excited until it goes over the top.
+    let search = OrbitSearch { start: vec![0.1, 0.0], period: None, conserves_energy: false, held: None };
+    let refused = Orbit::search(&equation("x'' = x'/5 - x'^3/100 - sin(x)"), &search, &Quiet).unwrap_err();
+    assert!(matches!(refused, OrbitError::NoCycle(Lost::GoesRound(time)) if time < 100.0), "{refused}");
     for start in [[0.0, 2.1], [3.0, -0.5]] {
         let refused = searched("x'' = -sin(x)", start).unwrap_err();
         assert!(matches!(refused, OrbitError::NoReturn { why: Lost::OneWay(_), .. }), "{refused}");

@@ -23,8 +23,8 @@ const MOST_PERIODS: usize = 1000;
 
 /// A periodic orbit: its period, harmonics, Floquet multipliers and stability, with errors
 ///
-/// For a driven system, the periodic response near the start, or the one to which the start leads; without a drive, a motion released
-/// from rest, a limit cycle, or the orbit near a guess of its period. Without a drive the period is the least one.
+/// For a driven system, the periodic response near the start, or the one to which the start leads; without a drive, the motion from the start
+/// if it returns, a limit cycle, or the orbit near a guess of its period. Without a drive the period is the least one.
 #[derive(Debug, clap::Args)]
 #[cfg_attr(
     not(target_arch = "wasm32"),
