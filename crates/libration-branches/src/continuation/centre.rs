@@ -2,8 +2,8 @@
 //!
 //! # Method
 //! F(2c − x, −x′, t + T/2) = −F(x, x′, t) for all x makes the forces on a body at rest in c cancel over two times half a period apart. Newton's
-//! method finds zeros of the sum over two such pairs from guesses of many sizes. A zero, or the middle between two of them, which the mirror exchanges, as the wells
-//! about a hilltop, may be the centre: `symmetry.rs` tries the equation about them.
+//! method finds zeros of the sum over two such pairs from guesses of many sizes. A zero, or the middle between two of them, which the mirror
+//! exchanges, as the wells about a hilltop, may be the centre: `symmetry.rs` tries the equation about them.
 
 use libration_motion::internals::periodic::norm;
 use libration_motion::taylor::StateLayout;
@@ -94,10 +94,11 @@ impl MeanForces<'_> {
         step.filter(|step| step.iter().all(|x| x.is_finite())).ok_or(NewtonError::NoSlope)
     }
 
-    /// Returns `true` if no deviation is driven away.
+    /// Returns `true` if no deviation is driven away; without damping it need not return.
     fn restore(&self, at: &[f64]) -> bool {
+        const ROUNDING: f64 = 1e-9;
         let eigenvalues = self.sums(at).ok().and_then(|(_, slopes)| eigenvalues(&slopes));
-        eigenvalues.is_some_and(|all| all.iter().all(|value| value.re <= 0.0))
+        eigenvalues.is_some_and(|all| all.iter().all(|value| value.re <= ROUNDING * value.abs()))
     }
 
     /// The sums with their derivatives with respect to the coordinates.

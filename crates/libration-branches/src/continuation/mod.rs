@@ -33,9 +33,9 @@
 //!
 //! Motions that are their own mirror images half a period later are followed by the half map with a mirror (`space.rs`). Its multiplier +1 is a
 //! fold and −1 a symmetry-breaking bifurcation; the whole map could not distinguish them. The existence of mirror images, about zero or another
-//! centre, is a property of the equation (`symmetry.rs`, `centre.rs`); the image about the bottom of a motion about the top lies a turn beside it (`Space::beside`). Folds, flips and Neimark–Sacker points (products of multipliers equal to one)
-//! are zeros of test functions along the branch; they are computed to the last digits, and again with another tolerance, and the difference is
-//! the error (`special.rs`). A test function that is noise, such as a determinant of a conservative system, has no sign. Secondary branches
+//! centre, is a property of the equation (`symmetry.rs`, `centre.rs`); the image about the bottom of a motion about the top lies a turn beside it
+//! (`Space::beside`). Folds, flips and Neimark–Sacker points (products of multipliers equal to one) are zeros of test functions along the branch;
+//! they are computed to the last digits, and again with another tolerance, and the difference is the error (`special.rs`). A test function that is noise, such as a determinant of a conservative system, has no sign. Secondary branches
 //! are followed in the larger space until they return to a smaller one, and those of eight or more periods until deviations grow a thousandfold
 //! in one; the branch on which another branch ends is followed too (`response.rs`).
 //!

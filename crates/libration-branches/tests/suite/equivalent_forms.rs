@@ -109,6 +109,24 @@ fn the_upright_pendulum_is_symmetric_about_the_top() {
     }
 }
 
+/// The multipliers 1.0503 and 0.9521 are real, and rounding must not make them a complex pair, which would be a Neimark–Sacker point.
+#[test]
+fn a_neutral_saddle_is_one_in_every_form() {
+    let (x, y) = ("-0.139*x' - 1.235*sin(x) - 0.1217*(x - y)", "-0.109*y' - 0.5739*sin(y) - 0.1217*(y - x)");
+    let mirrored = "x'' = -0.139*x' - 1.235*sin(x) - 0.1217*(x - y) - 0.1681*cos(w*t)".to_owned();
+    for form in [
+        format!("x'' = {x} + 0.1681*cos(w*t); y'' = {y}"),
+        format!("y'' = {y}; x'' = {x} + 0.1681*cos(w*t)"),
+        format!("x'' = {x} + 0.1681*sin(w*t); y'' = {y}"),
+        format!("{mirrored}; y'' = {y}"),
+    ] {
+        let special = Outline::new(&form, [0.97, 0.99]).special;
+        let kind = |at: f64| special.iter().find(|(_, parameter, _)| (parameter - at).abs() < 1e-12);
+        assert_eq!(kind(0.978_033_325_914_875).unwrap().0, "neutral saddle", "{form}: {special:?}");
+        assert_eq!(kind(0.985_182_278_529_875).unwrap().0, "Neimark–Sacker", "{form}: {special:?}");
+    }
+}
+
 #[test]
 fn a_pendulum_by_half_angles_has_the_same_folds() {
     let driven = |force: &str| format!("x'' = -x'/10 - {force} + 0.15*cos(w*t)");

@@ -3,7 +3,7 @@
 use crate::algebra::Complex;
 use libration_kernels::elementary::count;
 
-/// All eigenvalues by descending magnitude, from the QR algorithm with Wilkinson's shifts on a balanced Hessenberg matrix; `None` if it does not
+/// All eigenvalues by descending magnitude, real ones and pairs of conjugate ones, from the QR algorithm with Wilkinson's shifts on a balanced Hessenberg matrix; `None` if it does not
 /// converge or an entry is not finite.
 ///
 /// # Accuracy
@@ -34,8 +34,29 @@ pub fn eigenvalues(matrix: &[Vec<f64>]) -> Option<Vec<Complex>> {
         let shift = if steps % 11 == 10 { exceptional_shift(&h, last) } else { wilkinson_shift(&h, last) };
         qr_step(&mut h, first, shift);
     }
+    pair(&mut eigenvalues);
     eigenvalues.sort_by(|a, b| b.abs().total_cmp(&a.abs()).then(b.im.total_cmp(&a.im)));
     eigenvalues.iter().all(|value| value.is_finite()).then_some(eigenvalues)
+}
+
+/// Makes eigenvalues of a real matrix real or conjugate in pairs, which those of complex steps are but for rounding: an eigenvalue is real if it is
+/// nearer to its own conjugate than to that of any other.
+fn pair(eigenvalues: &mut [Complex]) {
+    let mut open: Vec<usize> = (0..eigenvalues.len()).filter(|i| eigenvalues[*i].im != 0.0).collect();
+    open.sort_by(|i, j| eigenvalues[*i].im.abs().total_cmp(&eigenvalues[*j].im.abs()));
+    while let Some(i) = open.pop() {
+        let value = eigenvalues[i];
+        let apart = |j: usize| (eigenvalues[j] - conjugate(value)).abs();
+        let other = (0..open.len()).min_by(|a, b| apart(open[*a]).total_cmp(&apart(open[*b])));
+        match other.filter(|other| apart(open[*other]) < 2.0 * value.im.abs()) {
+            None => eigenvalues[i].im = 0.0,
+            Some(other) => {
+                let j = open.remove(other);
+                let mean = (value + conjugate(eigenvalues[j])).scaled(0.5);
+                (eigenvalues[i], eigenvalues[j]) = (mean, conjugate(mean));
+            }
+        }
+    }
 }
 
 /// Bounds for the change of each eigenvalue, to first order, when the matrix changes by a matrix of norm `change`.

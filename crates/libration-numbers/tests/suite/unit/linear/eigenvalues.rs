@@ -37,6 +37,29 @@ fn eigenvalues_of_a_full_matrix_are_those_of_its_diagonal_form() {
     close(&eigenvalues(&full.map(Vec::from)).unwrap(), &expected, 1e-12);
 }
 
+/// An imaginary part of rounding alone would make a real multiplier one of a pair.
+#[test]
+fn eigenvalues_of_real_matrices_are_real_or_conjugate() {
+    let mut random = Random::seeded(11);
+    let mut complex = 0;
+    for round in 0..3000 {
+        let n = 2 + round % 6;
+        let mut row = || (0..n).map(|_| random.between(-1.0, 1.0)).collect::<Vec<f64>>();
+        let full: Vec<Vec<f64>> = (0..n).map(|_| row()).collect();
+        let found = eigenvalues(&full).unwrap();
+        for value in &found {
+            let others = found.iter().filter(|other| **other == Complex::new(value.re, -value.im));
+            assert!(value.im == 0.0 || others.count() == 1, "{found:?}");
+        }
+        complex += found.iter().filter(|value| value.im != 0.0).count();
+        // Symmetric ones have real eigenvalues.
+        let symmetric: Vec<Vec<f64>> =
+            (0..n).map(|i| (0..n).map(|j| full[i][j] + full[j][i]).collect()).collect();
+        assert!(eigenvalues(&symmetric).unwrap().iter().all(|value| value.im == 0.0), "{symmetric:?}");
+    }
+    assert!(complex > 1000);
+}
+
 #[test]
 fn rotations_and_permutations_have_the_roots_of_unity() {
     let cycle: Vec<Vec<f64>> =
