@@ -272,6 +272,7 @@ impl Search<'_> {
         let start = Start { unknowns, space };
         if !self.is_followed(&followed.branches, parameter, &start)
             && let Some(mut walked) = self.beside(&followed.branches, parameter, &start)
+            && !self.is_again(&followed.branches, &walked.branch)
         {
             walked.branch.origin = Origin::Meeting;
             self.keep(followed, walked, generation);
@@ -292,6 +293,16 @@ impl Search<'_> {
             return None;
         }
         starts.iter().find_map(|(value, start)| self.both_ways(*value, start).ok().flatten())
+    }
+
+    /// Returns `true` if a branch ends at an end of the range as one that is followed already: next to folds a motion on it may not be found there.
+    fn is_again(&self, branches: &[Branch], branch: &Branch) -> bool {
+        let corrector = self.corrector(branch.space);
+        let is_end = |point: &BranchPoint| {
+            let start = Start { unknowns: corrector.unknowns(point), space: branch.space };
+            self.is_known(branches, point.parameter, &start)
+        };
+        branch.points.first().is_some_and(is_end)
     }
 
     /// The motion to which Newton's method converges at a value of the parameter.

@@ -127,6 +127,23 @@ fn a_neutral_saddle_is_one_in_every_form() {
     }
 }
 
+/// Branches of period doublings end on that from which they come, some next to its folds.
+#[test]
+fn a_branch_on_which_others_end_is_followed_once() {
+    let (x, y) = ("-0.1696*v - 1.769*sin(x) - 0.3945*(x - y)", "-0.1121*u - 1.763*sin(y) - 0.3945*(y - x)");
+    let text = format!("x' = v; v' = {x} + 0.1692*cos(w*t); y' = u; u' = {y}");
+    let options = ResponseOptions { generations: 2, ..ResponseOptions::default() };
+    let response = Response::over(&equation(&text), "w", [0.6, 2.2], &options, &Quiet).unwrap();
+    let ends = response.branches.iter().filter_map(|branch| branch.points.first());
+    let at_the_end: Vec<&[f64]> =
+        ends.filter(|point| (point.parameter - 0.6).abs() < 1e-12).map(|point| &point.state[..]).collect();
+    assert!(at_the_end.len() >= 2, "{at_the_end:?}");
+    for (i, state) in at_the_end.iter().enumerate() {
+        let is_near = |other: &&[f64]| state.iter().zip(*other).all(|(a, b)| (a - b).abs() < 1e-6);
+        assert!(!at_the_end[..i].iter().any(is_near), "{at_the_end:?}");
+    }
+}
+
 #[test]
 fn a_pendulum_by_half_angles_has_the_same_folds() {
     let driven = |force: &str| format!("x'' = -x'/10 - {force} + 0.15*cos(w*t)");
