@@ -27,9 +27,10 @@ def melnikov(
     """Conditions for chaotic motion of a weakly perturbed pendulum: the Melnikov function with its
     zeros and thresholds, resonances, their widths and overlap.
 
-    Everything in the equation but −ω0²·sin of the angle is taken as the perturbation, to first
-    order. Where the Melnikov function has simple zeros, the motions that leave the upright position
-    and those that return to it cross, and there is chaos next to them.
+    Everything in the equation but −ω0²·sin of the angle, counted from where the pendulum hangs, is
+    taken as the perturbation, to first order. Where the Melnikov function has simple zeros, the
+    motions that leave the upright position and those that return to it cross, and there is chaos
+    next to them.
 
     Parameters
     ----------

@@ -21,10 +21,10 @@ pub enum MelnikovError {
     Open(String),
     /// No restoring force.
     #[error(
-        "sin of the angle has the factor {0} in the acceleration, and needs a negative one, -omega0^2: give a pendulum that hangs at zero, without \
-         products of half angles"
+        "the acceleration has neither the sine nor the cosine of the angle alone: give a pendulum, such as x'' = -sin(x), without products of half \
+         angles"
     )]
-    NoPendulum(f64),
+    NoPendulum,
     /// A force of the angle alone that is not a polynomial of sine and cosine.
     #[error(
         "the acceleration {0} is not a polynomial in the angle's sine and cosine: the unperturbed motion must be that of a pendulum"

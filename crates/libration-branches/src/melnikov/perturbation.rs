@@ -19,7 +19,7 @@ const PHASES: usize = 64;
 /// Number of harmonics taken from these phases; the harmonics above measure the truncation error.
 const HARMONICS: usize = 24;
 
-/// θ″ = −ω0²·sin θ + g(θ, θ′, t), where g has the period of the drive.
+/// θ″ = −ω0²·sin θ + g(θ, θ′, t), where g has the period of the drive and θ is counted from the place at which the pendulum hangs.
 ///
 /// # Examples
 /// ```
@@ -34,6 +34,7 @@ pub struct PerturbedPendulum {
     omega0: f64,
     /// Ω, zero without a drive.
     frequency: f64,
+    centre: f64,
     pub(super) closed: Trigonometric,
     /// Part of the perturbation that is not a polynomial in θ′, sin θ, cos θ and waves.
     pub(super) rest: Option<Tape>,
@@ -41,12 +42,17 @@ pub struct PerturbedPendulum {
 }
 
 impl PerturbedPendulum {
-    /// Separates an equation; everything in the acceleration except −ω0²·sin θ is the perturbation.
+    /// Separates an equation; everything in the acceleration except −ω0²·sin(x − c) is the perturbation, with the angle c = [`centre`](Self::centre).
     ///
     /// # Errors
-    /// Several coordinates, an equation of first order, symbolic parameters; no restoring force
-    /// −ω0²·sin θ; a force of the angle alone that is not periodic in it; a drive that is not periodic.
+    /// Several coordinates, an equation of first order, symbolic parameters; neither the sine nor the cosine of the angle alone; a force of the
+    /// angle alone that is not periodic in it; a drive that is not periodic.
     pub fn new(equation: &Equation) -> Result<Self, MelnikovError> {
+        Self::separated(equation, true)
+    }
+
+    /// Separates an equation, whose angle may be counted from another place than that at which the pendulum hangs.
+    fn separated(equation: &Equation, may_hang_elsewhere: bool) -> Result<Self, MelnikovError> {
         equation.refuse_first_order()?;
         let [name] = equation.variables() else {
             return Err(MelnikovError::Coordinates(equation.variables().len()));
@@ -71,6 +77,9 @@ impl PerturbedPendulum {
             Some(closed) => (closed, frequency),
             None => (closed, written),
         };
+        if let Some(centre) = centre(&closed).filter(|_| may_hang_elsewhere) {
+            return Ok(Self { centre, ..Self::separated(&from_place(equation, centre)?, false)? });
+        }
         let omega0 = own_frequency(&mut closed)?;
         let moving = |part: &Expression| part.contains(&names.velocity) || part.contains(&names.time);
         if let Some(alone) = rest.iter().find(|part| !moving(part)) {
@@ -80,7 +89,18 @@ impl PerturbedPendulum {
         let sum = rest.into_iter().reduce(|a, b| Expression::Add(Box::new(a), Box::new(b)));
         let inputs = [names.angle, names.velocity, names.time];
         let rest = sum.map(|sum| Tape::new(&[&sum], &inputs)).transpose()?;
-        Ok(Self { omega0, frequency, closed, rest, rest_depends_on_time })
+        Ok(Self { omega0, frequency, centre: 0.0, closed, rest, rest_depends_on_time })
+    }
+
+    /// The angle at which the unperturbed pendulum hangs, in radians, from which its angles are counted.
+    #[must_use]
+    pub const fn centre(&self) -> f64 {
+        self.centre
+    }
+
+    /// The equation with its angle counted from the centre.
+    pub(super) fn hanging_at_zero(&self, equation: &Equation) -> Result<Equation, MelnikovError> {
+        from_place(equation, self.centre)
     }
 
     /// ω0 in rad/s.
@@ -193,11 +213,35 @@ fn collect_terms(
     }
 }
 
+/// The sine and the cosine of the angle alone.
+const SINE: Monomial = Monomial { velocity: 0, sines: 1, cosines: 0, harmonic: 0 };
+const COSINE: Monomial = Monomial { velocity: 0, sines: 0, cosines: 1, harmonic: 0 };
+
+/// The angle c of a·sin θ + b·cos θ = −R·sin(θ − c); `None` if it is zero, but for rounding, or if there is neither.
+fn centre(closed: &Trigonometric) -> Option<f64> {
+    const ROUNDING: f64 = 4.0 * f64::EPSILON;
+    let factor = |monomial: &Monomial| closed.terms.get(monomial).map_or(0.0, |coefficient| coefficient.re);
+    let [a, b] = [factor(&SINE), factor(&COSINE)];
+    let is_elsewhere = b.abs() > ROUNDING * a.abs() || a > 0.0;
+    is_elsewhere.then(|| libm::atan2(b, -a))
+}
+
+/// The equation with its angle counted from a place.
+fn from_place(equation: &Equation, place: f64) -> Result<Equation, MelnikovError> {
+    if place == 0.0 {
+        return Ok(equation.clone());
+    }
+    let angle = Symbol::plain(&equation.variables()[0]);
+    let place = format!("{place:?}").parse().map_err(|_| MelnikovError::NoPendulum)?;
+    let turned = Expression::Add(Box::new(Expression::Symbol(angle.clone())), Box::new(place));
+    let accelerations = equation.accelerations().iter().map(|formula| formula.substitute(&angle, &turned));
+    Ok(Equation::of_accelerations(equation.variables().to_vec(), accelerations.collect()))
+}
+
 /// ω0 of the term −ω0²·sin θ, which is removed.
 fn own_frequency(closed: &mut Trigonometric) -> Result<f64, MelnikovError> {
-    let sine = Monomial { velocity: 0, sines: 1, cosines: 0, harmonic: 0 };
-    let force = closed.terms.remove(&sine).map_or(0.0, |coefficient| coefficient.re);
-    if force < 0.0 { Ok((-force).sqrt()) } else { Err(MelnikovError::NoPendulum(force)) }
+    let force = closed.terms.remove(&SINE).map_or(0.0, |coefficient| coefficient.re);
+    if force < 0.0 { Ok((-force).sqrt()) } else { Err(MelnikovError::NoPendulum) }
 }
 
 #[doc(hidden)]

@@ -183,6 +183,7 @@ impl Approach<'_> {
         let pendulum = PerturbedPendulum::new(&equation)?;
         let frequency = pendulum.frequency().ok_or(TangencyError::NoSaddle)?;
         let kind = [self.direction, pendulum.omega0(), frequency];
+        let equation = pendulum.hanging_at_zero(&equation)?;
         let manifolds = Manifolds::new(&equation, kind, distance, self.watch)?;
         let mut delays: Delays = manifolds.delays();
         let mut time = time;

@@ -63,6 +63,12 @@ pub(super) fn of_answer() -> Fields<MelnikovResult> {
         Of::number("omega0_rad_per_s", "rad/s", "angular frequency of the smallest swings", |result| {
             result.pendulum.omega0()
         }),
+        Of::number(
+            "centre_rad",
+            "rad",
+            "angle at which the unperturbed pendulum hangs, from which the angles of motions are counted",
+            |result| result.pendulum.centre(),
+        ),
         Of::nullable(
             "drive_angular_frequency_rad_per_s",
             "rad/s",
@@ -75,7 +81,11 @@ pub(super) fn of_answer() -> Fields<MelnikovResult> {
                 || "no drive".to_owned(),
                 |frequency| format!("drive {} rad/s", short(frequency, 10)),
             );
-            format!("ω0 = {} rad/s, {drive}", short(result.pendulum.omega0(), 10))
+            let elsewhere = match result.pendulum.centre() {
+                0.0 => String::new(),
+                centre => format!(", hangs at {} rad", short(centre, 10)),
+            };
+            format!("ω0 = {} rad/s, {drive}{elsewhere}", short(result.pendulum.omega0(), 10))
         }),
         Of::value(
             "closed_form",
