@@ -15,7 +15,8 @@
 //! The acceleration becomes a polynomial in θ′, sin θ, cos θ and e^{iΩt} (`trigonometric.rs`); the term −ω0²·sin θ is the pendulum, with θ
 //! counted from where it hangs (a·sin x + b·cos x alone are one sine), the others are the perturbation. On the separatrix each term is sechⁿ, or
 //! sechⁿ·tanh, times a wave, whose integral is a residue at t = iπ/2 in closed form (`separatrix.rs`), with all digits however fast the drive
-//! and small the value. Terms of another form are integrated by the trapezoidal rule. For resonances, the mean power of the same perturbation is taken over the exact motions with frequency pΩ/q.
+//! and small the value. Terms of another form are integrated by the trapezoidal rule. For resonances, the mean power of the same perturbation is
+//! taken over the exact motions with frequency pΩ/q.
 
 mod error;
 mod trigonometric;

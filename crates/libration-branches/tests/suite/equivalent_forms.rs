@@ -1,7 +1,7 @@
 //! The same system in two forms has the same special points.
 
 use crate::typed::equation;
-use libration::continuation::{Response, ResponseOptions, SpecialKind};
+use libration::continuation::{Ending, Response, ResponseOptions, SpecialKind};
 use libration::orbit::Orbit;
 use libration::progress::Quiet;
 use std::f64::consts::{PI, TAU};
@@ -141,6 +141,24 @@ fn a_branch_on_which_others_end_is_followed_once() {
     for (i, state) in at_the_end.iter().enumerate() {
         let is_near = |other: &&[f64]| state.iter().zip(*other).all(|(a, b)| (a - b).abs() < 1e-6);
         assert!(!at_the_end[..i].iter().any(is_near), "{at_the_end:?}");
+    }
+}
+
+/// At slow drives the motion about the top loses all digits within a period, and is checked piece by piece, its second half as the image of the first.
+#[test]
+fn the_upright_pendulum_is_followed_to_slow_drives() {
+    for (force, start) in [("+", 0.0), ("-", PI)] {
+        // In a linear force the drive 0.1 cos(wt) moves the top by −0.1 cos(wt)/(1 + w²).
+        let start = start - 0.1 / 1.64;
+        let text = format!("x'' = -x'/10 {force} sin(x) + cos(w*t)/10");
+        let options = ResponseOptions { start: Some(vec![start, 0.0]), ..ResponseOptions::default() };
+        let response = Response::over(&equation(&text), "w", [0.2, 0.8], &options, &Quiet).unwrap();
+        let upright =
+            response.branches.iter().find(|branch| branch.points.iter().all(|point| !point.is_stable()));
+        let Some(branch) = upright else { panic!("{text}: {}", response.branches.len()) };
+        assert!(branch.space.mirrored && branch.ending == Ending::RangeEnd, "{text}: {:?}", branch.ending);
+        let slowest = branch.points.iter().map(|point| point.parameter).fold(1.0, f64::min);
+        assert!((slowest - 0.2).abs() < 1e-12, "{text}: {slowest}");
     }
 }
 

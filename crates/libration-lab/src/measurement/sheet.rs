@@ -170,15 +170,22 @@ impl Sheet {
         self
     }
 
-    /// Empties columns of units, which become those of the numbers before them.
+    /// Empties columns of units, which become those of the numbers before them, with their uncertainties and repeated readings.
     fn take_columns_of_units(&mut self, units: &mut CellUnits) {
         for index in 1..self.channels.len() {
             let [numbers, channel] = [&self.channels[index - 1], &self.channels[index]];
             let may_be =
                 numbers.count() > 0 && channel.count() == 0 && is_heading_of_units(&channel.heading.text);
-            if may_be && units.take_words(index - 1, &channel.words) {
-                let [of, words] = [index - 1, index].map(|index| self.describe(index));
-                self.remarks.push(format!("{words} has the units of {of}"));
+            if !may_be {
+                continue;
+            }
+            let goes_on = |of: &usize| self.channels[*of].heading.goes_with(&self.channels[of - 1].heading);
+            let first = (1..index).rev().find(|of| !goes_on(of)).unwrap_or(0);
+            let taken: Vec<usize> =
+                (first..index).filter(|of| units.take_words(*of, &channel.words)).collect();
+            if !taken.is_empty() {
+                let of: Vec<String> = taken.into_iter().map(|of| self.describe(of)).collect();
+                self.remarks.push(format!("{} has the units of {}", self.describe(index), of.join(" and ")));
                 let channel = &mut self.channels[index];
                 channel.cells.fill(Cell::Missing);
                 channel.words.clear();

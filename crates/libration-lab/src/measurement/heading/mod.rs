@@ -105,6 +105,15 @@ impl Heading {
         }
     }
 
+    /// Returns `true` for the uncertainty, or another reading, of the quantity in the column before: `T1`, `T2`.
+    pub(super) fn goes_with(&self, before: &Self) -> bool {
+        let stem = |heading: &Self| {
+            let text = heading.text.to_lowercase();
+            text.trim_end_matches(|c: char| !c.is_alphabetic()).to_owned()
+        };
+        self.is_uncertainty || stem(self) == stem(before)
+    }
+
     /// Sets the unit found in the cells.
     pub(super) fn set_unit(&mut self, unit: Unit) {
         self.quantity = quantity(self.quantity, Some(unit), None);

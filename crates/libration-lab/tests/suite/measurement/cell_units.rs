@@ -59,6 +59,20 @@ fn units_may_have_a_column_of_their_own() {
             "{text}: {computed:?}"
         );
     }
+    // They are those of uncertainties and of repeated readings too, and not those of numbers of rows.
+    let several =
+        table("no.,L,u L,unit,T1,T2,T 3,unit\n1,20,1,cm,897,898,899,ms\n2,0.4,0.01,m,1.2,1.3,1.4,s\n")
+            .unwrap();
+    let columns: Vec<Column> = [1, 2, 3, 5, 6, 7].map(Column::Number).to_vec();
+    let values = several.select(&columns).unwrap().columns;
+    let expected = [[1.0, 2.0], [20.0, 40.0], [1.0, 1.0], [897.0, 1200.0], [898.0, 1300.0], [899.0, 1400.0]];
+    for (values, expected) in values.iter().flatten().zip(expected.iter().flatten()) {
+        assert!((values / expected - 1.0).abs() < 1e-15, "{values} {expected}");
+    }
+    assert_eq!(
+        several.unit(&Column::Number(2), Role::Lengths).unwrap(),
+        WrittenUnit::Known(Unit::Centimetre)
+    );
     // Of other quantities, and without one in some rows.
     for text in ["L,unit,T (s)\n10,cm,0.6\n20,s,0.9\n", "L,unit,T (s)\n10,cm,0.6\n20,,0.9\n0.4,m,1.2\n"] {
         assert!(matches!(table(text), Err(MeasurementError::MixedUnits { .. })), "{text}");
