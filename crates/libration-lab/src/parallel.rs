@@ -1,5 +1,6 @@
 //! Independent pieces of work on all cores.
 
+use libration::internals::InOrder;
 use libration::internals::progress::Watch;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -57,6 +58,6 @@ pub fn on_cores<T: Sync, R: Send>(
         }
     });
     let mut done = done.into_inner().expect("no piece of work panics");
-    done.sort_by_key(|(index, _)| *index);
+    done.put_in_order_by(|(index, _)| *index);
     done.into_iter().map(|(_, result)| result).collect()
 }

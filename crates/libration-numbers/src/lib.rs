@@ -24,6 +24,7 @@ pub mod internals {
             complex::fourier,
             function::entry::{Domain, Growth, Parity, Slope},
             harmonics::{HarmonicPair, HarmonicSum, HarmonicSums, Number, PhaseRing},
+            in_order::InOrder,
             integer_polynomial::product,
             lanes::{Lanes, prepared_reciprocal, sin_cos_in_lanes},
             lanewise::{Rounded, any, convolution, integral, lanes, quotient, square},

@@ -185,5 +185,6 @@ pub use libration_perturbation::{comparison, perturbation};
 #[doc(hidden)]
 pub mod internals {
     pub use libration_kernels::fused::rounds_once;
+    pub use libration_numbers::internals::algebra::InOrder;
     pub use libration_numbers::internals::progress;
 }

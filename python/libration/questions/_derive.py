@@ -44,7 +44,8 @@ def derive(
         Series: the highest power of the expansion parameter or amplitude, up to 9 [default: 5, of a
         limit cycle 4].
     damping_order : int, optional
-        Averaging: the highest power of the small parameter, 1 to 4 [default: 2].
+        Averaging: the highest power of the small parameter, 1 to 4 [default: 2]; with several
+        symbols or a drive 1 or 2 [default: the lowest that acts, and that of each symbol].
     small : number or text, optional
         Averaging, limit-cycle: the small symbol, if several have no value, or small symbols with
         orders, such as mu:1,F:1.

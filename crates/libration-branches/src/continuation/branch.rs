@@ -9,6 +9,7 @@ use super::special::{Meeting, SpecialKind, SpecialPoint, Stretch};
 use super::units::{difference, in_units};
 use libration_motion::internals::periodic::norm;
 use libration_motion::orbit::Stability;
+use libration_numbers::internals::algebra::InOrder;
 use libration_numbers::roots::{Tolerance, bisect};
 
 /// A branch of periodic orbits over one parameter.
@@ -463,7 +464,7 @@ impl<'a> Walk<'a> {
 
 /// Ranges in ascending order; adjacent ones are joined.
 fn merged(mut ranges: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
-    ranges.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    ranges.put_in_order(|a, b| a[0].total_cmp(&b[0]));
     let mut merged: Vec<[f64; 2]> = vec![];
     for [low, high] in ranges {
         match merged.last_mut() {

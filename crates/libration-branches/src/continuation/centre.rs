@@ -8,6 +8,7 @@
 use libration_motion::internals::periodic::norm;
 use libration_motion::taylor::StateLayout;
 use libration_numbers::algebra::Doubles;
+use libration_numbers::internals::algebra::InOrder;
 use libration_numbers::internals::expression::{Jet, Tape};
 use libration_numbers::internals::linear::{eigenvalues, solve};
 use libration_numbers::internals::roots::{NewtonError, newton};
@@ -44,7 +45,7 @@ pub(super) fn centres(
     let pairs = (0..zeros.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
     let middles: Vec<Vec<f64>> = pairs.map(|(i, j)| middle(&zeros[i], &zeros[j])).collect();
     let mut candidates: Vec<Vec<f64>> = zeros.into_iter().chain(middles).collect();
-    candidates.sort_by(|a, b| norm(a).total_cmp(&norm(b)));
+    candidates.put_in_order(|a, b| norm(a).total_cmp(&norm(b)));
     // An angle has a centre at the bottom and one at the top.
     candidates.sort_by_cached_key(|centre| !forces.restore(centre));
     candidates.into_iter().flat_map(|centre| [rounded(&centre), centre]).collect()

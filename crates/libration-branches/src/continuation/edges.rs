@@ -7,6 +7,7 @@ use super::node::Tests;
 use super::space::Space;
 use super::special::Test;
 use libration_motion::orbit::Stability;
+use libration_numbers::internals::algebra::InOrder;
 use libration_numbers::internals::roots::other_sign_between;
 use libration_numbers::roots::{Tolerance, zero_between};
 use std::f64::consts::TAU;
@@ -210,7 +211,7 @@ fn dip_next_to([end, next]: [Point; 2], f: impl Fn(f64) -> f64) -> Option<Point>
         }
         if point.1.abs() < end.1.abs() {
             let mut three = [end, point, next];
-            three.sort_by(|a, b| a.0.total_cmp(&b.0));
+            three.put_in_order(|a, b| a.0.total_cmp(&b.0));
             return other_sign_between(three, f);
         }
     }

@@ -13,6 +13,7 @@ use super::search::{Search, Start, middle};
 use super::space::Space;
 use libration_motion::internals::periodic::norm;
 use libration_numbers::algebra::Complex;
+use libration_numbers::internals::algebra::InOrder;
 use libration_numbers::internals::linear::eigenvalues;
 use std::f64::consts::TAU;
 
@@ -35,7 +36,7 @@ impl Search<'_> {
         let reached = numbers.flat_map(|periods| self.reached(value, periods, known));
         let (lasting, mut others): (Vec<_>, Vec<_>) = reached.partition(|(_, largest)| *largest <= LASTS);
         let size = |(start, _): &(Start, f64)| norm(&start.unknowns);
-        others.sort_by(|a, b| size(a).total_cmp(&size(b)));
+        others.put_in_order(|a, b| size(a).total_cmp(&size(b)));
         others.truncate(lasting.len().saturating_sub(1));
         lasting.into_iter().chain(others).map(|(start, _)| start).collect()
     }

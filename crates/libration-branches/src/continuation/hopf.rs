@@ -8,6 +8,7 @@ use super::field::{Field, Rates};
 use super::point::BranchPoint;
 use libration_motion::orbit::Stability;
 use libration_numbers::algebra::{Complex, Doubles};
+use libration_numbers::internals::algebra::InOrder;
 use libration_numbers::internals::linear::{eigenvalues, solve};
 use libration_numbers::internals::roots::{NewtonError, newton};
 use libration_numbers::roots::{Tolerance, zero_between};
@@ -55,7 +56,7 @@ pub(super) fn hopf(
     let rounding = 16.0 * f64::EPSILON * eigenvalues.first()?.abs() * period;
     let with_error = |number: Complex| (multiplier(number), multiplier(number).abs() * rounding);
     let mut multipliers: Vec<(Complex, f64)> = eigenvalues.into_iter().map(with_error).collect();
-    multipliers.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));
+    multipliers.put_in_order(|a, b| b.0.abs().total_cmp(&a.0.abs()));
     let point = BranchPoint {
         parameter,
         period,

@@ -8,6 +8,7 @@ use super::space::Space;
 use super::special::{SpecialKind, SpecialPoint};
 use libration_motion::internals::periodic::norm;
 use libration_numbers::algebra::Complex;
+use libration_numbers::internals::algebra::InOrder;
 use std::ops::Range;
 
 /// A fold at which a stable motion ends.
@@ -63,7 +64,7 @@ fn others_attract(fold: &BranchPoint) -> bool {
     let counted =
         fold.multipliers.iter().copied().zip(errors).filter(|along| *along != (Complex::from(1.0), 0.0));
     let mut multipliers: Vec<(Complex, f64)> = counted.collect();
-    multipliers.sort_by(|(a, _), (b, _)| {
+    multipliers.put_in_order(|(a, _), (b, _)| {
         (*a - Complex::from(1.0)).abs().total_cmp(&(*b - Complex::from(1.0)).abs())
     });
     multipliers.iter().skip(1).all(|(multiplier, error)| multiplier.abs() + error < 1.0)

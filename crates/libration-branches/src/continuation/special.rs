@@ -10,6 +10,7 @@ use super::space::Space;
 use super::units::{difference, in_units};
 use libration_motion::internals::periodic::norm;
 use libration_numbers::algebra::Doubles;
+use libration_numbers::internals::algebra::InOrder;
 use libration_numbers::internals::linear::null_space;
 use libration_numbers::roots::{Tolerance, zero_between};
 use std::f64::consts::TAU;
@@ -257,7 +258,7 @@ impl Stretch<'_> {
         let mut specials: Vec<(f64, Located)> =
             wanted.iter().filter_map(|test| self.located(*test)).collect();
         let are_all = specials.len() == wanted.len();
-        specials.sort_by(|a, b| a.0.total_cmp(&b.0));
+        specials.put_in_order(|a, b| a.0.total_cmp(&b.0));
         (specials.into_iter().map(|(_, located)| located).collect(), are_all)
     }
 

@@ -3,6 +3,7 @@
 use super::perturbation::PerturbedPendulum;
 use libration_kernels::elementary::count;
 use libration_numbers::algebra::Complex;
+use libration_numbers::internals::algebra::InOrder;
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::{Interrupted, Progress, Stage};
 use libration_numbers::roots::{Tolerance, zero_between};
@@ -108,7 +109,7 @@ impl PerturbedPendulum {
         }
         // 0, 1, −1.
         let regime = |resonance: &DriveResonance| (resonance.direction - 0.4).abs();
-        resonances.sort_by(|a, b| {
+        resonances.put_in_order(|a, b| {
             regime(a).total_cmp(&regime(b)).then(a.motion.action().total_cmp(&b.motion.action()))
         });
         Ok(resonances)

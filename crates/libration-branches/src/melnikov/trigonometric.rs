@@ -74,7 +74,7 @@ impl Trigonometric {
     }
 
     fn of(monomial: Monomial, coefficient: Complex) -> Self {
-        Self { terms: BTreeMap::from([(monomial, coefficient)]) }
+        Self { terms: ordered_map(std::iter::once((monomial, coefficient))) }
     }
 
     /// e^{i·argument} for an argument aθ + kΩt + c.

@@ -5,6 +5,7 @@ use super::linear_motion::{exactly, in_digits};
 use super::polynomials::{Polynomial, Powers};
 use super::{LARGEST_ORDER, NormalFormError};
 use crate::normal_modes::{Behaviour, NormalModes};
+use libration_numbers::internals::algebra::InOrder;
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::{Progress, Stage};
 use libration_numbers::{
@@ -249,8 +250,8 @@ impl NumericalExpansion {
                 None => divisors.push(Divisor { mode, powers, conjugate_powers, divisor }),
             }
         }
-        slow.sort_by_key(|term| term.mode);
-        divisors.sort_by(|a, b| a.divisor.abs().total_cmp(&b.divisor.abs()));
+        slow.put_in_order_by(|term| term.mode);
+        divisors.put_in_order(|a, b| a.divisor.abs().total_cmp(&b.divisor.abs()));
         divisors.truncate(TOLD);
         let in_digits = |polynomial: &Polynomial<Quadratic<N::Element>>| {
             polynomial.iter().map(|(powers, value)| (powers.clone(), complex(value))).collect()

@@ -24,7 +24,11 @@ impl<F: Ring> AmplitudePolynomials<F> {
     }
 
     pub(super) fn term(&self, powers: Powers, value: F::Element) -> Polynomial<F::Element> {
-        if self.numbers.is_zero(&value) { BTreeMap::new() } else { BTreeMap::from([(powers, value)]) }
+        if self.numbers.is_zero(&value) {
+            BTreeMap::new()
+        } else {
+            ordered_map(std::iter::once((powers, value)))
+        }
     }
 
     /// The generator with this index times a constant.

@@ -5,6 +5,7 @@ use super::linearisation::{Linear, Linearisation};
 use super::roots::{Root, roots};
 use libration_kernels::elementary::count;
 use libration_numbers::algebra::{Complex, Doubles, Rational, Rationals, Ring, Surd};
+use libration_numbers::internals::algebra::InOrder;
 use libration_numbers::internals::linear::{
     characteristic_polynomial, eigenvalue_errors, eigenvalues, solve_complex,
 };
@@ -34,7 +35,7 @@ pub(super) fn spectrum(linear: &Linear) -> Result<Vec<Exponent>, ModesError> {
     });
     let outcome = in_fractions.or_else(|| from_numbers(&linear.numbers, is_odd));
     let mut exponents = outcome.ok_or(ModesError::NoEigenvalues)?;
-    exponents.sort_by(|a, b| a.value.im.total_cmp(&b.value.im).then(a.value.re.total_cmp(&b.value.re)));
+    exponents.put_in_order(|a, b| a.value.im.total_cmp(&b.value.im).then(a.value.re.total_cmp(&b.value.re)));
     Ok(exponents)
 }
 

@@ -39,12 +39,18 @@ fn braces_of_latex_and_tags_of_html_are_closed() {
     }
 }
 
-/// Several symbols or a drive need the derivation of lowest order, which has no other orders.
+/// Several symbols or a drive need the derivation in small parameters, to products of two.
 #[test]
-fn symbols_and_drives_are_averaged_to_lowest_order() {
+fn symbols_and_drives_are_averaged() {
     const DUFFING: &str = "x''+2*eps*mu*x'+w0^2*x+eps*a*x^3=eps*F*cos(W*t)";
     let driven = text(&format!("derive --method averaging {DUFFING} --resonance 1/1"));
     assert!(driven.contains(r"A_{\mathrm{max}}:=\frac{F}{2\mu w_{0}}"), "{driven}");
+    let second = text(&format!("derive --method averaging {DUFFING} --resonance 1/1 --damping-order 2"));
+    assert!(second.contains(r"-\frac{15\varepsilon ^{2}a^{2}A^{4}}{256w_{0}^{3}}"), "{second}");
+    let third =
+        run(&["derive", "--method", "averaging", DUFFING, "--resonance", "1/1", "--damping-order", "3"]);
+    let said = String::from_utf8(third.stderr).unwrap();
+    assert!(third.status.code() == Some(1) && said.contains("products of two small terms"), "{said}");
     let cycle = text("derive --method limit-cycle x''+x=eps*(m*(1-x^2)*x'-b*x^3)");
     assert!(cycle.contains("A_{0}:=2"), "{cycle}");
     for (words, reason) in [

@@ -5,6 +5,7 @@ use super::super::phase::{PiNumber, term_with};
 use super::flow::PowerPair;
 use super::question::AveragingQuestion;
 use libration::algebra::{Polynomial, Rational, Variable};
+use libration::internals::InOrder;
 use std::collections::BTreeMap;
 
 /// A symbol with the two powers as subscript.
@@ -80,7 +81,7 @@ pub(super) fn power(question: &AveragingQuestion, pair: PowerPair) -> Formula {
 /// Σ coefficient·Aⁿcʲ, lower powers of the small parameter first.
 pub(super) fn law(question: &AveragingQuestion, coefficients: &BTreeMap<PowerPair, PiNumber>) -> Formula {
     let mut pairs: Vec<&PowerPair> = coefficients.keys().filter(|pair| question.asks_for(**pair)).collect();
-    pairs.sort_by_key(|(n, j)| (*j, *n));
+    pairs.put_in_order_by(|(n, j)| (*j, *n));
     let terms = pairs.into_iter().flat_map(|pair| {
         let value = coefficients.get(pair).into_iter().flat_map(PiNumber::terms);
         value.map(|(pi, coefficient)| term_with(coefficient, pi, powers(question, *pair))).collect::<Vec<_>>()

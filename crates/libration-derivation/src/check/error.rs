@@ -120,9 +120,9 @@ pub enum DerivationError {
         /// The quantity on which the methods disagree.
         what: &'static str,
     },
-    /// A slow flow that needs products of several orders.
+    /// A slow flow that needs more than products of two small terms of one order.
     #[error(
-        "amplitude and phase change only by products of small terms of several orders: derivations go to the lowest order, and end where it is zero"
+        "the slow flow needs more than products of two small terms of one order: derivations go to these, and only with a small drive and without abs and sign in the terms of lowest order"
     )]
     SeveralOrders,
     /// An equation without a slow flow with symbols.
@@ -154,6 +154,7 @@ impl DerivationError {
     pub fn remedies(&self) -> Vec<Remedy> {
         match self {
             Self::Amplitude { .. } => vec![Remedy::Period],
+            Self::SeveralOrders => vec![Remedy::Expansion],
             Self::AmplitudeOrder { .. } | Self::DampingOrder { .. } | Self::NoFractionalFrequency => {
                 vec![Remedy::SlowFlow]
             }

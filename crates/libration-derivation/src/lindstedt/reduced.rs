@@ -3,6 +3,7 @@
 use super::super::formula::{Formula, Name, laurent, letter, monomial, sum};
 use libration::algebra::{LaurentPolynomial, Polynomial, Rational, Ring, Variable};
 use libration::expression::Symbol;
+use libration::internals::InOrder;
 use libration::oscillator::SymbolicOscillator;
 use libration::perturbation::RestoringTerm;
 
@@ -24,7 +25,7 @@ impl Reduced {
         let (ring, square) = (oscillator.ring(), oscillator.omega0_squared());
         let mut powers = oscillator.powers(degree)?;
         powers.retain(|([position, velocity], _)| position + velocity > 1);
-        powers.sort_by_key(|([position, velocity], _)| position + velocity);
+        powers.put_in_order_by(|([position, velocity], _)| position + velocity);
         let mut reduced = Self { terms: vec![], symbols: vec![] };
         let mut numerators: Vec<(Variable, LaurentPolynomial)> = vec![];
         for ([position, velocity], value) in powers {

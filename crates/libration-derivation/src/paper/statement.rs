@@ -2,6 +2,7 @@
 
 use super::finding::StatementFinding;
 use super::printed::Printed;
+use libration::internals::InOrder;
 
 /// One of the two documents.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -136,7 +137,7 @@ pub(super) const fn text_after(
 pub(super) fn in_order(groups: &[&'static [PrintedStatement]]) -> Vec<&'static PrintedStatement> {
     let mut ordered: Vec<&PrintedStatement> = groups.iter().copied().flatten().collect();
     // The sort is stable: text after an equation follows it in the order of its group.
-    ordered.sort_by_key(|statement| (place_of(statement.after), statement.after != statement.label));
+    ordered.put_in_order_by(|statement| (place_of(statement.after), statement.after != statement.label));
     ordered
 }
 

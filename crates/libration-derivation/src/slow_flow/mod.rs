@@ -1,4 +1,5 @@
-//! Derivation of a slow flow with symbols, several small terms and a drive, to the lowest order at which amplitude and phase change.
+//! Derivation of a slow flow with symbols, several small terms and a drive, to the lowest order at which amplitude and phase change, or to the order
+//! of products of two small terms.
 //!
 //! # Method
 //! The expansion hands over its steps as formulas: the small terms along the motion of order zero, their resonant parts, the slow flow, the
@@ -9,15 +10,16 @@
 mod in_time;
 mod motion;
 mod response;
+mod second_order;
 mod small_terms;
 mod steady;
 mod subject;
 
 use super::check::DerivationError;
-use super::document::{Block, Derivation};
+use super::document::{Block, Derivation, DerivationStep};
 use super::prose::Prose;
 use libration::expression::Equation;
-use libration::perturbation::SymbolicSlowFlowOptions;
+use libration::perturbation::{EarlierOrder, SmallTerm, SymbolicSlowFlowOptions};
 use libration::progress::Progress;
 use subject::SlowFlowSubject;
 
@@ -30,7 +32,7 @@ use subject::SlowFlowSubject;
 ///
 /// # Examples
 /// ```
-/// use libration::perturbation::SymbolicSlowFlowOptions;
+/// use libration::perturbation::{EarlierOrder, SmallTerm, SymbolicSlowFlowOptions};
 /// use libration::progress::Quiet;
 /// use libration_derivation::{slow_flow, to_markdown};
 /// let equation = "x'' + 2*eps*mu*x' + w0^2*x + eps*a*x^3 = eps*F*cos(W*t)".parse()?;
@@ -49,12 +51,20 @@ pub fn slow_flow(
         motion::equation_of_motion(&subject)?,
         motion::ansatz(&subject)?,
         motion::derivatives(&subject)?,
-        small_terms::step(&subject)?,
-        small_terms::averaged(&subject)?,
     ];
-    steps.extend(steady::free(&subject)?);
-    steps.extend(in_time::step(&subject)?);
-    if let Some(trials) = subject.steady_trials()? {
+    let own: Vec<&SmallTerm> = subject.steps.terms.iter().collect();
+    match &subject.steps.before {
+        None => {
+            steps.push(small_terms::step(&subject, &subject.steps.terms)?);
+            steps.push(small_terms::averaged(&subject, &own, None)?);
+        }
+        Some(before) => steps.extend(second_order(&subject, before, (equation, options, progress))?),
+    }
+    if subject.steps.has_one_order {
+        steps.extend(steady::free(&subject)?);
+        steps.extend(in_time::step(&subject)?);
+    }
+    if let Some(trials) = subject.steady_trials()?.filter(|_| subject.steps.has_one_order) {
         steps.extend(steady::driven(&subject, &trials)?);
         steps.extend(response::curve(&subject)?);
         steps.extend(steady::stability(&subject, &trials)?);
@@ -63,14 +73,51 @@ pub fn slow_flow(
         Some((p, q)) => format!("A weakly nonlinear oscillator near its resonance {p}:{q}"),
         None => "A weakly nonlinear oscillator with damping or excitation".to_owned(),
     };
-    Ok(Derivation { title, introduction: introduction(), steps, answers: vec![] })
+    let introduction = introduction(&subject);
+    Ok(Derivation { title, introduction, steps, answers: vec![] })
 }
 
-fn introduction() -> Vec<Block> {
-    let what = Prose::text(
+/// The steps of two orders to the slow flow.
+fn second_order(
+    subject: &SlowFlowSubject,
+    before: &EarlierOrder,
+    (equation, options, progress): (&Equation, &SymbolicSlowFlowOptions, &dyn Progress),
+) -> Result<Vec<DerivationStep>, DerivationError> {
+    let mut steps = vec![small_terms::step(subject, &before.terms)?];
+    let changes = before.changes.iter().chain(&subject.steps.terms);
+    let Some(products) = &before.products else {
+        let last = steps.pop().map(|step| {
+            step.say("None of these waves has the frequency of the oscillation: in this order amplitude and phase do not change.", [])
+        });
+        steps.extend(last);
+        steps.extend(second_order::forced_waves(subject, before)?);
+        steps.push(second_order::changed_terms(subject, before)?);
+        let acting: Vec<&SmallTerm> = changes.collect();
+        steps.push(small_terms::averaged(subject, &acting, None)?);
+        return Ok(steps);
+    };
+    let options = SymbolicSlowFlowOptions { order: Some(before.order), ..options.clone() };
+    let first = SlowFlowSubject::new(equation, &options, progress)?;
+    let own: Vec<&SmallTerm> = first.steps.terms.iter().collect();
+    steps.push(small_terms::averaged(&first, &own, None)?);
+    steps.extend(second_order::forced_waves(subject, before)?);
+    steps.extend(second_order::products(subject, &first, before)?);
+    steps.push(second_order::changed_terms(subject, before)?);
+    let acting: Vec<&SmallTerm> = before.terms.iter().chain(changes).collect();
+    steps.push(small_terms::averaged(subject, &acting, Some(products))?);
+    Ok(steps)
+}
+
+fn introduction(subject: &SlowFlowSubject) -> Vec<Block> {
+    let kept = match (&subject.steps.before, subject.steps.has_one_order) {
+        (Some(_), _) => "products of two small terms are kept, but not of three",
+        (None, true) => "only the lowest order in what is small is kept",
+        (None, false) => "no products of small terms are kept",
+    };
+    let what = Prose::text(format!(
         "Weak forces change the amplitude and the phase of an oscillation slowly. Their rates are found by the method of averaging: the motion without the weak forces is put into them, and the parts \
-         that have the frequency of the oscillation decide. All parameters stay symbols, and only the lowest order in what is small is kept.",
-    );
+         that have the frequency of the oscillation decide. All parameters stay symbols, and {kept}.",
+    ));
     let how = Prose::text(
         "Each formula is followed by the check made while this text was written. It was evaluated as it stands here, with many digits, for several choices of all symbols.",
     );

@@ -33,7 +33,8 @@ pub(super) fn equation_of_motion(subject: &SlowFlowSubject) -> Result<Derivation
     if !subject.steps.drive.is_empty() {
         terms.push(subject.formula(&subject.steps.drive)?);
     }
-    for term in &subject.steps.terms {
+    let before = subject.steps.before.iter().flat_map(|before| &before.terms);
+    for term in before.chain(&subject.steps.terms) {
         terms.push(subject.formula(&term.force[0])?);
     }
     let moved = subject.to_lowest_order(Statement::equal(left, sum(terms)), &acceleration)?;
@@ -56,9 +57,14 @@ pub(super) fn equation_of_motion(subject: &SlowFlowSubject) -> Result<Derivation
 /// The sentences about the orders of the terms.
 fn smallness(subject: &SlowFlowSubject) -> Prose {
     let small = |name: &str| Formula::from(subject.name(name));
+    let has_two_orders = !subject.steps.has_one_order;
     match (subject.small.as_slice(), subject.steps.is_by_amplitude) {
         ([], _) => Prose::text(
             "The nonlinear terms are small because the amplitude is: a term of the third degree is smaller than the linear one by the square of the amplitude.",
+        ),
+        ([(name, _)], false) if has_two_orders => Prose::new(
+            "Terms with {} are small. What follows is to the second power of {}.",
+            [small(name), small(name)],
         ),
         ([(name, _)], false) => Prose::new(
             "Terms with {} are small. What follows is to the lowest power of {} that changes amplitude or phase.",
@@ -76,6 +82,9 @@ fn smallness(subject: &SlowFlowSubject) -> Prose {
             let rest = match by_amplitude {
                 true => {
                     "; the nonlinear terms without them are small because the amplitude is, a term of the third degree by the square of the amplitude. What follows is to the lowest order."
+                }
+                false if has_two_orders => {
+                    ". What follows is to the highest of these orders, or that of products of two terms."
                 }
                 false => ". What follows is to the lowest order that changes amplitude or phase.",
             };
@@ -108,7 +117,7 @@ pub(super) fn ansatz(subject: &SlowFlowSubject) -> Result<DerivationStep, Deriva
         .show(CheckedEquation::definition(psi))
         .say("{} is the whole amplitude of the part with the phase {}.", [(&a).into(), letter("ψ")]);
     if !subject.steps.drive.is_empty() {
-        let square = subject.omega0()?.squared();
+        let square = subject.omega0_squared()?;
         let slower = scaled(&subject.resonance(), subject.omega0()?).squared();
         let forced = Formula::from(&x) - Formula::from(&a) * cosine();
         let statement = Statement::equal((square - slower) * forced, subject.formula(&subject.steps.drive)?);
@@ -161,7 +170,7 @@ pub(super) fn derivatives(subject: &SlowFlowSubject) -> Result<DerivationStep, D
                 (&small).into(),
                 two(&a),
                 two(&psi),
-                omega.clone().squared() - one(&psi).squared(),
+                subject.omega0_squared()? - one(&psi).squared(),
                 -subject.times_omega0(2, 1, one(&psi) - omega)?,
             ],
         )

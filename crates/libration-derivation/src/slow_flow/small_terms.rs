@@ -16,11 +16,17 @@ fn sine() -> Formula {
 
 /// A term with the motion in place of displacement and velocity, in W·t or with its phase.
 fn along(subject: &SlowFlowSubject, term: &SmallTerm, at_phase: usize) -> Result<Formula, DerivationError> {
-    let variable = &subject.equation.variables()[0];
+    let variable = Symbol::plain(&subject.equation.variables()[0]);
     let [position, velocity] = &subject.steps.motion[at_phase];
+    let mut motion = vec![(variable.clone().with_primes(1), velocity), (variable, position)];
+    if let Some(before) = &subject.steps.before {
+        let names = before.names.each_ref().map(|name| Symbol::plain(name));
+        motion.extend(names.into_iter().zip(&before.motion[at_phase]));
+    }
     let mut force = subject.read(&term.force[at_phase])?;
-    for (primes, text) in [(1, velocity), (0, position)] {
-        force = force.substitute(&Symbol::plain(variable).with_primes(primes), &subject.read(text)?);
+    for (symbol, text) in motion {
+        let value = if text.is_empty() { "0" } else { text.as_str() };
+        force = force.substitute(&symbol, &subject.read(value)?);
     }
     Ok(subject.written(&force))
 }
@@ -48,7 +54,11 @@ fn factored(subject: &SlowFlowSubject, factor: &Expression, wave: Formula) -> Fo
     }
 }
 
-pub(super) fn step(subject: &SlowFlowSubject) -> Result<DerivationStep, DerivationError> {
+/// The terms of the lowest order.
+pub(super) fn step(
+    subject: &SlowFlowSubject,
+    terms: &[SmallTerm],
+) -> Result<DerivationStep, DerivationError> {
     let mut trials = Trials::choices()?;
     for (index, name) in ["α", "β"].into_iter().enumerate() {
         trials.choose(&Name::new(name), &|choice| Formula::Number(chosen(index, choice)))?;
@@ -73,13 +83,13 @@ pub(super) fn step(subject: &SlowFlowSubject) -> Result<DerivationStep, Derivati
          alone.",
         [],
     );
-    for term in &subject.steps.terms {
+    for term in terms {
         step = one_term(subject, step, term)?;
     }
     Ok(step)
 }
 
-fn one_term(
+pub(super) fn one_term(
     subject: &SlowFlowSubject,
     step: DerivationStep,
     term: &SmallTerm,
@@ -150,17 +160,19 @@ fn kinked(
     Ok(step)
 }
 
-pub(super) fn averaged(subject: &SlowFlowSubject) -> Result<DerivationStep, DerivationError> {
+/// The slow flow by the terms that act in it, with what is of second order in the rates.
+pub(super) fn averaged(
+    subject: &SlowFlowSubject,
+    terms: &[&SmallTerm],
+    products: Option<&[String; 2]>,
+) -> Result<DerivationStep, DerivationError> {
     let (a, phi) = (subject.amplitude(), subject.phase());
     let (growth, turn) = (a.clone().prime(), phi.clone().prime());
     let omega = subject.omega0()?;
-    let excess = match subject.turning()? {
-        Some(turning) => turning + Formula::from(&turn),
-        None => Formula::from(&turn),
-    };
+    let excess = subject.excess(&turn)?;
     let factors = |wave: usize| -> Result<Formula, DerivationError> {
         let mut all = vec![];
-        for term in &subject.steps.terms {
+        for term in terms {
             if !subject.read(&term.resonant[wave])?.vanishes() {
                 match subject.formula(&term.resonant[wave])? {
                     Formula::Sum(terms) => all.extend(terms),
@@ -170,13 +182,24 @@ pub(super) fn averaged(subject: &SlowFlowSubject) -> Result<DerivationStep, Deri
         }
         Ok(if all.is_empty() { number(0) } else { sum(all) })
     };
-    let by_cosine = -subject.times_omega0(2, 1, Formula::from(&a) * excess.clone())?;
+    let of_second_order = |which: usize| -> Result<Option<Expression>, DerivationError> {
+        let read = products.map(|products| subject.read(&products[which])).transpose()?;
+        Ok(read.filter(|product| !product.vanishes()))
+    };
+    let mut by_cosine = -subject.times_omega0(2, 1, Formula::from(&a) * excess.clone())?;
+    if let Some(product) = of_second_order(0)? {
+        by_cosine = by_cosine + subject.written(&product);
+    }
+    let mut by_sine = -subject.times_omega0(2, 1, Formula::from(&growth))?;
+    if let Some(product) = of_second_order(1)? {
+        by_sine = by_sine + subject.written(&product).negated();
+    }
     let by_cosine = Statement::equal(by_cosine, factors(0)?);
-    let by_sine = Statement::equal(-subject.times_omega0(2, 1, Formula::from(&growth))?, factors(1)?);
+    let by_sine = Statement::equal(by_sine, factors(1)?);
     let [rate, turning] = subject.rates()?;
     let compare = |statement: Statement| subject.trials.compare_choices(statement);
-    let step = DerivationStep::new("slow-flow", "The slow flow of amplitude and phase")
-        .say(
+    let step = match products {
+        None => DerivationStep::new("slow-flow", "The slow flow of amplitude and phase").say(
             "By the definition of {} the difference {} is {}. What stands before {} in the derivatives must be what stands before it in the small terms, and the same holds for {}:",
             [
                 letter("ψ"),
@@ -185,28 +208,38 @@ pub(super) fn averaged(subject: &SlowFlowSubject) -> Result<DerivationStep, Deri
                 cosine(),
                 sine(),
             ],
-        )
+        ),
+        Some(_) => DerivationStep::new("second-slow-flow", "The slow flow to the second order").say(
+            "With the products of the rates, and the terms of both orders, what stands before {} is, and what stands before {},",
+            [cosine(), sine()],
+        ),
+    };
+    let step = step
         .show(compare(by_cosine)?)
         .show(compare(by_sine)?)
         .say("Solved for the two rates this is the slow flow,", [])
         .show(compare(Statement::equal(&growth, rate))?)
         .show(compare(Statement::equal(&turn, turning))?);
-    if subject.steps.terms.iter().any(|term| term.waves.is_none()) {
+    if products.is_some() || terms.iter().any(|term| term.waves.is_none()) {
         return Ok(step);
     }
-    means(subject, step)
+    means(subject, step, terms)
 }
 
 /// The rates as means of the whole force.
-fn means(subject: &SlowFlowSubject, step: DerivationStep) -> Result<DerivationStep, DerivationError> {
+fn means(
+    subject: &SlowFlowSubject,
+    step: DerivationStep,
+    terms: &[&SmallTerm],
+) -> Result<DerivationStep, DerivationError> {
     let (a, phi) = (subject.amplitude(), subject.phase());
     let f = subject.function(["f", "h", "k"]);
     let mut trials = subject.trials.clone();
-    let mut terms = vec![];
-    for term in &subject.steps.terms {
-        terms.push(along(subject, term, 1)?);
+    let mut forces = vec![];
+    for term in terms {
+        forces.push(along(subject, term, 1)?);
     }
-    let definition = trials.define_function(f, &["ψ"], sum(terms));
+    let definition = trials.define_function(f, &["ψ"], sum(forces));
     let (_, q) = subject.flow().resonance.unwrap_or((1, 1));
     let turns = 2 * i64::from(q);
     let mean = |wave: Formula| integral("ψ", 0, number(turns) * Formula::Pi, apply(f, [letter("ψ")]) * wave);
@@ -220,8 +253,9 @@ fn means(subject: &SlowFlowSubject, step: DerivationStep) -> Result<DerivationSt
     let mut equations = vec![];
     for (wave, name, mean) in [(1, a.clone().prime(), growth), (0, phi.prime(), turning)] {
         // An integral that is zero cannot be compared with its size.
-        let acts = |term: &SmallTerm| subject.read(&term.resonant[wave]).is_ok_and(|value| !value.vanishes());
-        if subject.steps.terms.iter().any(acts) {
+        let acts =
+            |term: &&SmallTerm| subject.read(&term.resonant[wave]).is_ok_and(|value| !value.vanishes());
+        if terms.iter().any(acts) {
             equations.push(trials.compare_choices(Statement::equal(name, mean))?);
         }
     }

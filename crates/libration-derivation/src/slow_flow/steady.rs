@@ -13,7 +13,7 @@ pub(super) fn functions(subject: &SlowFlowSubject) -> [&'static str; 2] {
 }
 
 /// Defines A′ and φ′ as functions, of the amplitude alone without drive.
-fn with_functions(
+pub(super) fn with_functions(
     subject: &SlowFlowSubject,
     mut trials: Trials,
     parameters: &[&str],

@@ -31,8 +31,10 @@ impl SlowFlowSubject {
         progress: &dyn Progress,
     ) -> Result<Self, DerivationError> {
         let steps = slow_flow_steps(equation, options, progress)?.ok_or(DerivationError::SeveralOrders)?;
+        let changes = steps.before.iter().flat_map(|before| before.names.iter().map(String::as_str));
         let taken = ["psi", "t", "A_start", "phi_start"]
             .into_iter()
+            .chain(changes)
             .find(|name| equation.parameters().contains(*name));
         if let Some(letter) = taken {
             return Err(DerivationError::TakenLetter { letter: letter.to_owned() });
@@ -100,6 +102,13 @@ impl SlowFlowSubject {
         self.formula(&self.flow().natural_frequency)
     }
 
+    pub(super) fn omega0_squared(&self) -> Result<Formula, DerivationError> {
+        Ok(match self.omega0_as_number()? {
+            Some(value) => Formula::Number(value.clone() * value),
+            None => self.omega0()?.squared(),
+        })
+    }
+
     /// factor·ω0ⁿ·rest, with the value of ω0 in the factor if it is a number.
     pub(super) fn times_omega0(
         &self,
@@ -164,6 +173,14 @@ impl SlowFlowSubject {
         Ok(Some(scaled(&inverse, self.formula(detuning)?)))
     }
 
+    /// ψ′ − ω0, with this rate for φ′.
+    pub(super) fn excess(&self, turn: &Name) -> Result<Formula, DerivationError> {
+        Ok(match self.turning()? {
+            Some(turning) => turning + Formula::from(turn),
+            None => Formula::from(turn),
+        })
+    }
+
     /// The phase of the motion.
     pub(super) fn angle(&self) -> Result<Formula, DerivationError> {
         let time = Formula::from(Name::new("t"));
@@ -171,7 +188,7 @@ impl SlowFlowSubject {
         let fast = match self.drive()? {
             Some(Formula::Number(frequency)) => scaled(&(frequency * inverse), time),
             Some(frequency) => scaled(&inverse, frequency * time),
-            None => self.omega0()? * time,
+            None => self.times_omega0(1, 1, time)?,
         };
         Ok(fast + Formula::from(self.phase()))
     }
@@ -217,10 +234,25 @@ impl SlowFlowSubject {
         for (name, text) in [self.variable(), self.variable().prime()].iter().zip(&self.steps.motion[0]) {
             trials.define(name, self.formula(text)?)?;
         }
+        if let Some(before) = &self.steps.before {
+            for (name, text) in before.names.iter().zip(&before.motion[0]) {
+                trials.define(
+                    &self.name(name),
+                    if text.is_empty() { number(0) } else { self.formula(text)? },
+                )?;
+            }
+        }
         let [growth, turning] = self.rates()?;
         trials.define(&self.amplitude().prime(), growth)?;
         trials.define(&self.phase().prime(), turning)?;
         Ok(trials)
+    }
+
+    /// `true` if A′ or φ′ depends on φ.
+    pub(super) fn depends_on_phase(&self) -> Result<bool, DerivationError> {
+        let phase = self.meaning("phase").unwrap_or("phi");
+        let rates = [self.read(&self.flow().amplitude_rate)?, self.read(&self.flow().phase_rate)?];
+        Ok(rates.iter().any(|rate| rate.symbols().into_iter().any(|symbol| symbol.name == phase)))
     }
 
     /// A′ and φ′.

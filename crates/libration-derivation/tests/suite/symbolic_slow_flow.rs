@@ -1,6 +1,6 @@
 //! Slow flows with symbols, step by step.
 
-use libration::perturbation::{SymbolicSlowFlowOptions, slow_flow_symbolically};
+use libration::perturbation::{SymbolicSlowFlowError, SymbolicSlowFlowOptions, slow_flow_symbolically};
 use libration::progress::Quiet;
 use libration_derivation::internals::Trials;
 use libration_derivation::internals::build::{letter, number, sin, tenths};
@@ -59,6 +59,45 @@ pub(crate) fn duffing() -> Derivation {
     derived(&CASES[0]).unwrap()
 }
 
+type CaseOfOrder = (Case, usize);
+
+/// Oscillators whose slow flow has products of two small terms, or terms of two orders without products.
+const HIGHER: &[CaseOfOrder] = &[
+    ((QUADRATIC, Some((1, 1)), &[("a2", 1), ("a3", 2), ("mu", 2), ("F", 2)]), 2),
+    (("x'' + w^2*x + m*x' + a*x*x' = 0", None, &[("m", 2), ("a", 1)]), 2),
+    (
+        (
+            "x'' + w^2*x + m*x' + a*x*x' + b*x'^2 + c*x^2 = F*cos(W*t)",
+            Some((1, 1)),
+            &[("m", 2), ("a", 1), ("b", 1), ("c", 1), ("F", 2)],
+        ),
+        2,
+    ),
+    (("x'' + w^2*x + m*x' + a*x^2 + b*x^3 = 0", None, &[("m", 2)]), 2),
+    ((DUFFING, Some((1, 1)), &[]), 2),
+    (("x'' + 2*eps*mu*x' + (w0^2 + eps*h*cos(W*t))*x + eps*a*x^3 = 0", Some((2, 1)), &[]), 2),
+    (("x'' + 2*eps*mu*x' + (w0^2 + eps*h*cos(W*t))*x + eps*a*x^3 = 0", Some((1, 1)), &[]), 2),
+    (("x'' - eps*m*(1 - x^2)*x' + w0^2*x = eps*F*cos(W*t)", Some((1, 1)), &[]), 2),
+    (("x'' - eps*m*(1 - x^2)*x' + w0^2*x = 0", None, &[]), 2),
+    (("x'' + x = eps*(m*(1 - x^2)*x' - b*x^3)", None, &[]), 2),
+    (("x'' + eps*mu*x' + w0^2*x + eps*a*x^3 = eps*F*cos(W*t)", Some((3, 1)), &[]), 2),
+    (("x'' + eps*mu*x' + w0^2*x + eps*a*x^2 = eps*F*cos(W*t)", Some((2, 1)), &[]), 2),
+    (("x'' + w^2*x + m*x' + n*x'^3 + a*x^3 = 0", None, &[("m", 2), ("n", 1), ("a", 1)]), 2),
+    (("x'' + x + m*x' + n*x'*abs(x') = 0", None, &[("m", 1), ("n", 2)]), 2),
+    (("x'' + c*x' + sin(x) = F*cos(W*t)", Some((1, 1)), &[("c", 2), ("F", 3)]), 3),
+    (("x'' + c*x' + sin(x) = F*cos(W*t)", Some((1, 1)), &[("c", 2), ("F", 2)]), 4),
+    (("x'' + w^2*x + m*x' + n*x'^3 = 0", None, &[("m", 2), ("n", 3)]), 3),
+];
+
+/// Quadratic and cubic terms together.
+const QUADRATIC: &str = "x'' + mu*x' + w0^2*x + a2*x^2 + a3*x^3 = F*cos(W*t)";
+
+fn derived_to((case, order): &CaseOfOrder) -> Result<Derivation, DerivationError> {
+    let (text, resonance, small) = case;
+    let options = SymbolicSlowFlowOptions { order: Some(*order), ..options(*resonance, small) };
+    slow_flow(&text.parse().unwrap(), &options, &Quiet)
+}
+
 /// The formula of a result as the derivation writes it.
 fn latex(text: &str) -> String {
     let greek = libration::expression::Expression::Symbol(libration::expression::Symbol::plain("epsilon"));
@@ -105,6 +144,43 @@ fn derivations_end_in_the_formulas_of_the_expansion() {
             assert!(is_free_relation || sides.contains(&formula), "{text}: {formula}: {sides:?}");
         }
     }
+}
+
+#[test]
+fn products_of_two_small_terms_are_derived() {
+    for case in HIGHER {
+        let ((text, resonance, small), order) = case;
+        let derivation = derived_to(case).unwrap_or_else(|error| panic!("{text}: {error}"));
+        let options = SymbolicSlowFlowOptions { order: Some(*order), ..options(*resonance, small) };
+        let flow = slow_flow_symbolically(&text.parse().unwrap(), &options, &Quiet).unwrap();
+        let sides = sides(&derivation);
+        for formula in [&flow.amplitude_rate, &flow.phase_rate] {
+            assert!(sides.contains(&latex(formula)), "{text}: {formula}: {sides:?}");
+        }
+    }
+    // The orders of the symbols decide without a requested one.
+    let asked = to_markdown(&derived_to(&HIGHER[0]).unwrap());
+    assert_eq!(to_markdown(&derived(&HIGHER[0].0).unwrap()), asked);
+}
+
+/// Nayfeh and Mook, section 4.1.1 with 2.3.1: a3 − 10·a2²/(9·w0²) in place of a3; section 3.3.4 for the frequency of van der Pol's oscillator,
+/// ω0 − μ²/(16·ω0) at A = 2.
+#[test]
+fn textbook_results_of_the_second_order_are_derived() {
+    let page = |case: usize| to_markdown(&derived_to(&HIGHER[case]).unwrap());
+    let quadratic = page(0);
+    for part in [
+        r"x_{1}:=-\frac{a_{2}A^{2}}{2w_{0}^{2}}+\frac{a_{2}A^{2}}{6w_{0}^{2}}\,\cos 2\psi",
+        r"&=\frac{5a_{2}^{2}A^{3}}{6w_{0}^{2}}\,\cos \psi -\frac{a_{2}^{2}A^{3}}{6w_{0}^{2}}\,\cos 3\psi",
+        r"\beta :=\frac{3a_{3}}{8w_{0}}-\frac{5a_{2}^{2}}{12w_{0}^{3}}",
+        r"A_{\mathrm{max}}:=\frac{F}{\mu w_{0}}",
+        "in this order amplitude and phase do not change",
+    ] {
+        assert!(quadratic.contains(part), "{part}: {quadratic}");
+    }
+    let van_der_pol = page(8);
+    let turning = r"\varphi'=-\frac{\varepsilon ^{2}m^{2}}{8w_{0}}+\frac{\varepsilon ^{2}m^{2}A^{2}}{8w_{0}}-\frac{7\varepsilon ^{2}m^{2}A^{4}}{256w_{0}}";
+    assert!(van_der_pol.contains(turning), "{van_der_pol}");
 }
 
 /// Nayfeh and Mook, sections 4.1.1, 4.1.2, 3.3.4 and 5.7.3, in the definitions of amplitude, phase and detuning here.
@@ -163,17 +239,21 @@ fn false_statements_fail_for_choices_of_symbols() {
 #[test]
 fn flows_of_several_orders_are_refused() {
     let refused: [Case; 3] = [
-        (
-            "x'' + 2*mu*x' + w^2*x + a2*x^2 + a3*x^3 = F*cos(W*t)",
-            Some((1, 1)),
-            &[("a2", 1), ("a3", 2), ("mu", 2), ("F", 2)],
-        ),
-        ("x'' + c*x' + w^2*x + b*x*abs(x) = F*cos(W*t)", Some((1, 1)), &[("c", 2), ("F", 2)]),
-        ("x'' + eps*c*x' + w^2*x + a*x^3 = 0", None, &[("eps", 1), ("a", 2)]),
+        // Products of three, of terms of two orders, and with a drive that is not small.
+        ("x'' + w^2*x + m*x' + a*x^3 = 0", None, &[("m", 1), ("a", 3)]),
+        ("x'' + w^2*x + m*x' + a*x^3 + b*x^5 = 0", None, &[("m", 1), ("a", 2), ("b", 3)]),
+        ("x'' + m*x' + w^2*x + a*x^3 = F*cos(W*t)", Some((3, 1)), &[("a", 1), ("m", 2)]),
     ];
     for case in &refused {
         assert!(matches!(derived(case), Err(DerivationError::SeveralOrders)), "{}", case.0);
     }
+    // Harmonics of abs act in the next order, and do not end.
+    let kinked = ("x'' + c*x' + w^2*x + b*x*abs(x) = F*cos(W*t)", Some((1, 1)), &[("c", 2), ("F", 2)][..]);
+    let kinked = derived(&kinked);
+    assert!(
+        matches!(kinked, Err(DerivationError::Symbolic(SymbolicSlowFlowError::KinkOrder(1)))),
+        "{kinked:?}"
+    );
     let taken = derived(&("x'' + eps*psi*x' + A*x = 0", None, &[]));
     assert!(matches!(taken, Err(DerivationError::TakenLetter { .. })), "{taken:?}");
     let taken = derived(&("x'' + eps*A_start*x' + x = 0", None, &[]));

@@ -1,5 +1,6 @@
 //! Kinds of damping in a model.
 
+use libration::internals::InOrder;
 use std::fmt;
 use std::str::FromStr;
 
@@ -41,7 +42,7 @@ impl DampingModel {
     pub fn all() -> Vec<Self> {
         let mut all: Vec<Self> =
             (0..8).map(|bits| Self([bits & 2 != 0, bits & 1 != 0, bits & 4 != 0])).collect();
-        all.sort_by_key(|terms| terms.count());
+        all.put_in_order_by(|terms| terms.count());
         all
     }
 

@@ -11,6 +11,7 @@
 //! the largest of several variances; M. S. Bartlett, Proc. R. Soc. A 160, 268 (1937), doi:10.1098/rspa.1937.0109.
 
 use crate::statistics::{chi_squared, count, fisher, mean, student};
+use libration::internals::InOrder;
 
 /// Probability that chance does the same in any row of a table, below which a row scatters unlike the others, or a reading is an outlier.
 const BY_CHANCE: f64 = 0.01;
@@ -192,7 +193,7 @@ pub fn effective_degrees_of_freedom(readings: &RepeatedReadings, coefficients: &
 pub fn shared_rounding(readings: &RepeatedReadings, coefficients: &[f64]) -> f64 {
     let error = |(row, c): (&MeanReading, &f64)| (row.steps, c * row.by_rounding);
     let mut errors: Vec<(f64, f64)> = readings.rows.iter().zip(coefficients).map(error).collect();
-    errors.sort_by(|one, other| one.0.total_cmp(&other.0));
+    errors.put_in_order(|one, other| one.0.total_cmp(&other.0));
     let of_step = |rows: &[(f64, f64)]| {
         let [sum, squares] = rows.iter().fold([0.0, 0.0], |[sum, squares], (_, rounding)| {
             [sum + rounding, squares + rounding * rounding]

@@ -4,6 +4,7 @@ use crate::taylor::StateLayout;
 use crate::taylor::program::open_signs::OpenSigns;
 use libration_numbers::algebra::{Rational, Rationals, Ring};
 use libration_numbers::expression::{Equation, Expression, Function, Symbol};
+use libration_numbers::internals::algebra::InOrder;
 
 /// The name of the time in equations.
 pub(super) const TIME: &str = "t";
@@ -44,7 +45,7 @@ pub fn turning_groups(equation: &Equation) -> Vec<Vec<usize>> {
     let mut candidates: Vec<Vec<usize>> =
         if others.len() > MOST_TRIED { vec![others] } else { subsets(&others) };
     candidates.retain(|candidate| candidate.len() > 1);
-    candidates.sort_by_key(Vec::len);
+    candidates.put_in_order_by(Vec::len);
     for candidate in candidates {
         let is_free =
             candidate.iter().all(|coordinate| groups.iter().all(|group| !group.contains(coordinate)));

@@ -1,6 +1,7 @@
 //! Damping of the pendulum: sums of powers of the velocity.
 
 use super::DecayError;
+use libration_numbers::internals::algebra::InOrder;
 
 /// The damping c·θ′|θ′|ⁿ⁻¹.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,7 +44,7 @@ impl Damping {
             return Err(DecayError::TooManyTerms(sums.len()));
         }
         sums.retain(|term| term.coefficient > 0.0);
-        sums.sort_by(|a, b| a.exponent.total_cmp(&b.exponent));
+        sums.put_in_order(|a, b| a.exponent.total_cmp(&b.exponent));
         if sums.is_empty() { Err(DecayError::NoDamping) } else { Ok(Self { terms: sums }) }
     }
 

@@ -11,6 +11,7 @@ use super::roots::{LARGEST_DEGREE, Scan, zeros};
 use super::sides::Sides;
 use libration_numbers::algebra::{BigFloat, Floats, Rational};
 use libration_numbers::expression::Expression;
+use libration_numbers::internals::algebra::InOrder;
 use libration_numbers::internals::expression::Tape;
 use libration_numbers::internals::roots::{correction, newton};
 use libration_numbers::roots::polynomial_sign_changes;
@@ -54,7 +55,7 @@ pub(super) fn candidates(force: &Force) -> Candidates {
         }
         (None, None) => (vec![], OscillatorError::NoValues),
     };
-    near.sort_by(|a, b| a.abs().total_cmp(&b.abs()).then(b.total_cmp(a)));
+    near.put_in_order(|a, b| a.abs().total_cmp(&b.abs()).then(b.total_cmp(a)));
     near.dedup();
     Candidates { near, none }
 }

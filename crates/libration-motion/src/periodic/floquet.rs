@@ -7,6 +7,7 @@
 
 use super::norm::norm;
 use libration_numbers::algebra::Complex;
+use libration_numbers::internals::algebra::InOrder;
 use libration_numbers::internals::linear::{eigenvalue_errors, eigenvalues};
 
 /// The Floquet multipliers of a periodic orbit: the eigenvalues of its monodromy matrix, which maps a deviation to the deviation one period
@@ -79,7 +80,7 @@ impl Floquet {
     pub(crate) fn of_cycle(logarithm: f64, error: f64) -> Self {
         let multiplier = libm::exp(logarithm);
         let mut both = vec![(Complex::from(1.0), 0.0), (Complex::from(multiplier), multiplier * error)];
-        both.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));
+        both.put_in_order(|a, b| b.0.abs().total_cmp(&a.0.abs()));
         let (multipliers, errors) = both.into_iter().unzip();
         let stability = Stability::of([(multiplier, multiplier * error)]);
         Self { multipliers, errors, stability, logarithm: Some(logarithm) }

@@ -28,6 +28,8 @@ pub(crate) mod function;
 #[doc(hidden)]
 pub(crate) mod harmonics;
 #[doc(hidden)]
+pub(crate) mod in_order;
+#[doc(hidden)]
 pub(crate) mod integer_polynomial;
 #[doc(hidden)]
 pub(crate) mod lanes;

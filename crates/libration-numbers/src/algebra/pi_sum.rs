@@ -1,5 +1,6 @@
 //! Numbers that are sums of powers of π times fractions or square roots.
 
+use super::in_order::InOrder;
 use std::f64::consts::PI;
 use std::fmt;
 
@@ -28,7 +29,7 @@ impl PiSum {
     #[must_use]
     pub fn new(terms: Vec<(i32, Surd)>) -> Self {
         let mut terms: Vec<_> = terms.into_iter().filter(|(_, factor)| !is_zero(factor)).collect();
-        terms.sort_by_key(|(power, _)| -power);
+        terms.put_in_order_by(|(power, _)| -power);
         Self { terms }
     }
 

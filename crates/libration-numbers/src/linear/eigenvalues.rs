@@ -1,6 +1,7 @@
 //! The eigenvalues of a general matrix.
 
 use crate::algebra::Complex;
+use crate::algebra::in_order::InOrder;
 use libration_kernels::elementary::count;
 
 /// All eigenvalues by descending magnitude, real ones and pairs of conjugate ones, from the QR algorithm with Wilkinson's shifts on a balanced Hessenberg matrix; `None` if it does not
@@ -35,7 +36,7 @@ pub fn eigenvalues(matrix: &[Vec<f64>]) -> Option<Vec<Complex>> {
         qr_step(&mut h, first, shift);
     }
     pair(&mut eigenvalues);
-    eigenvalues.sort_by(|a, b| b.abs().total_cmp(&a.abs()).then(b.im.total_cmp(&a.im)));
+    eigenvalues.put_in_order(|a, b| b.abs().total_cmp(&a.abs()).then(b.im.total_cmp(&a.im)));
     eigenvalues.iter().all(|value| value.is_finite()).then_some(eigenvalues)
 }
 
@@ -43,7 +44,7 @@ pub fn eigenvalues(matrix: &[Vec<f64>]) -> Option<Vec<Complex>> {
 /// nearer to its own conjugate than to that of any other.
 fn pair(eigenvalues: &mut [Complex]) {
     let mut open: Vec<usize> = (0..eigenvalues.len()).filter(|i| eigenvalues[*i].im != 0.0).collect();
-    open.sort_by(|i, j| eigenvalues[*i].im.abs().total_cmp(&eigenvalues[*j].im.abs()));
+    open.put_in_order(|i, j| eigenvalues[*i].im.abs().total_cmp(&eigenvalues[*j].im.abs()));
     while let Some(i) = open.pop() {
         let value = eigenvalues[i];
         let apart = |j: usize| (eigenvalues[j] - conjugate(value)).abs();

@@ -1,5 +1,6 @@
 //! All roots of a polynomial at once, each with an error bound.
 
+use crate::algebra::in_order::InOrder;
 use std::f64::consts::TAU;
 
 use crate::algebra::Complex;
@@ -56,7 +57,7 @@ pub fn polynomial_roots(coefficients: &[f64]) -> Option<Vec<PolynomialRoot>> {
     let balanced = Balanced::new(&coefficients[first..=last])?;
     let mut approximations = balanced.first_places();
     balanced.refine(&mut approximations);
-    approximations.sort_by(|a, b| a.abs().total_cmp(&b.abs()).then(a.im.total_cmp(&b.im)));
+    approximations.put_in_order(|a, b| a.abs().total_cmp(&b.abs()).then(a.im.total_cmp(&b.im)));
     roots.extend(balanced.with_errors(&approximations));
     Some(roots)
 }

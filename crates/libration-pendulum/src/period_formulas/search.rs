@@ -4,6 +4,7 @@ use super::error::Exact;
 use super::formula::PeriodFormula;
 use super::grid::{self, Coordinate, amplitude_at, coordinate_of};
 use super::swing::SwingAmplitude;
+use libration_numbers::internals::algebra::InOrder;
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::internals::roots::maximum_between;
 use libration_numbers::progress::{Interrupted, Progress, Stage};
@@ -125,7 +126,7 @@ impl ErrorTable {
         let reach = |(i, _): &(usize, &Curve)| self.holds_to(*i, tolerance) >= amplitude.radians();
         let mut sufficient: Vec<_> =
             self.curves.iter().enumerate().filter(reach).map(|(_, curve)| &curve.formula).collect();
-        sufficient.sort_by_key(|formula| formula.complexity().rank());
+        sufficient.put_in_order_by(|formula| formula.complexity().rank());
         sufficient
     }
 

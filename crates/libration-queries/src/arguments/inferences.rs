@@ -3,6 +3,7 @@
 use super::Wanted;
 use crate::output::field::{Field, Fields};
 use crate::output::json;
+use libration::internals::InOrder;
 use libration_lab::measurement::{Table, TableRoles, Unit};
 
 /// The settings inferred from a table.
@@ -55,7 +56,7 @@ impl ReadColumn {
         let others = others.into_iter().map(|(role, chosen)| column(chosen.as_ref()?, role, None));
         let unused = roles.unused.iter().map(|unread| column(unread, "ignore", None));
         let mut all: Vec<Self> = of_quantities.chain(others).chain(unused).flatten().collect();
-        all.sort_by_key(|read| read.number);
+        all.put_in_order_by(|read| read.number);
         all
     }
 

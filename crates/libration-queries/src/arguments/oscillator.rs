@@ -133,7 +133,9 @@ impl OscillatorOptions {
             Ok(NumbersOrLetters::Letters(oscillator)) => {
                 Ok(Ok(ChosenWithLetters::Letters(asked.with(oscillator))))
             }
-            Err(NumbersOrLettersError::Numbers(error @ OscillatorError::NoStrength { .. })) => Ok(Err(error)),
+            Err(NumbersOrLettersError::Numbers(
+                error @ (OscillatorError::NoStrength { .. } | OscillatorError::ExcitedNonlinear { .. }),
+            )) => Ok(Err(error)),
             Err(error) => Err(QueryError::no_result("oscillator", &error).with_remedies(&error.remedies())),
         }
     }

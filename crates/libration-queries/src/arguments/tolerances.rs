@@ -2,6 +2,7 @@
 
 use super::values::plain_name;
 use crate::query_error::{QueryError, option};
+use libration::internals::InOrder;
 use libration::taylor::{Effort, System};
 use std::fmt;
 
@@ -24,7 +25,7 @@ pub(crate) fn tolerances(text: &str) -> Result<Tolerances, String> {
             None => return Err("two tolerances without a name: give one, and others as x=1e-6".to_owned()),
         }
     }
-    separate.sort_by(|(a, _), (b, _): &(String, f64)| a.cmp(b));
+    separate.put_in_order(|(a, _), (b, _): &(String, f64)| a.cmp(b));
     Ok(Tolerances { usual: usual.unwrap_or(Tolerances::USUAL), separate })
 }
 

@@ -87,7 +87,7 @@ struct SeriesOptions {
     /// Series: the highest power of the expansion parameter or amplitude, up to 9 [default: 5, of a limit cycle 4]
     #[arg(long, value_parser = arguments::count::<HIGHEST_ORDER>)]
     order: Option<usize>,
-    /// Averaging: the highest power of the small parameter, 1 to 4 [default: 2]
+    /// Averaging: the highest power of the small parameter, 1 to 4 [default: 2]; with several symbols or a drive 1 or 2 [default: the lowest that acts, and that of each symbol]
     #[arg(long, value_parser = arguments::count::<HIGHEST_DAMPING_ORDER>)]
     damping_order: Option<usize>,
     /// Averaging, limit-cycle: the small symbol, if several have no value, or small symbols with orders, such as mu:1,F:1
@@ -117,7 +117,7 @@ enum Method {
     Formulas,
     /// Motion and period of a free oscillator, order by order; parameters may stay symbols
     Perturbation,
-    /// Amplitude and phase under weak damping or excitation, power by power; with several symbols or a drive, to lowest order, with steady states
+    /// Amplitude and phase under weak damping or excitation, power by power; with several symbols or a drive, to products of two small terms, in lowest order with steady states
     #[value(alias = "damping")]
     Averaging,
     /// Amplitude, frequency and form of a limit cycle, in powers of its excitation
@@ -261,13 +261,11 @@ impl Derive {
 
     fn slow_flow(&self, (equation, asked): WithSymbols) -> Result<(Derivation, bool), QueryError> {
         let options = &self.series;
-        for (name, given) in [("order", options.order), ("damping-order", options.damping_order)] {
-            if given.is_some() {
-                let reason =
-                    "with several symbols or a drive the derivation goes to the lowest order: leave it out";
-                return Err(QueryError::usage(option(name), reason));
-            }
+        if options.order.is_some() {
+            let reason = "with several symbols or a drive powers are counted in small parameters: give <--damping-order=2> for the products of two";
+            return Err(QueryError::usage(option("order"), reason));
         }
+        let asked = SymbolicSlowFlowOptions { order: options.damping_order, ..asked };
         cancellable(|progress| slow_flow(&equation, &asked, progress))
     }
 

@@ -8,6 +8,7 @@ use crate::fit::damping_model::DampingModel;
 use crate::fit::significance::limit_of_chance;
 use crate::statistics::student::probability_beyond;
 use crate::statistics::{akaike, count};
+use libration::internals::InOrder;
 
 /// All laws that could be fitted, and the choice among them.
 pub(super) struct LawComparison<'a> {
@@ -136,7 +137,9 @@ fn compared(table: &AmplitudeTable, fits: &[DecayLawFit]) -> Vec<Compared> {
             fit: fit.clone(),
         })
         .collect();
-    laws.sort_by(|a, b| a.fit.terms.count().cmp(&b.fit.terms.count()).then(a.excess.total_cmp(&b.excess)));
+    laws.put_in_order(|a, b| {
+        a.fit.terms.count().cmp(&b.fit.terms.count()).then(a.excess.total_cmp(&b.excess))
+    });
     laws
 }
 

@@ -2,6 +2,7 @@
 
 use super::AmplitudesError;
 use super::sides::{FoundSides, Sides};
+use libration::internals::InOrder;
 
 /// The quantity that amplitudes are measured against.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -127,7 +128,7 @@ impl AmplitudeTable {
         }
         let rows = (0..columns.values.len()).map(|row| AmplitudeRow::new(columns, row));
         let mut rows: Vec<AmplitudeRow> = rows.collect::<Result<_, _>>()?;
-        rows.sort_by(|one, other| one.position.total_cmp(&other.position));
+        rows.put_in_order(|one, other| one.position.total_cmp(&other.position));
         let values: Vec<f64> = rows.iter().map(|row| row.value).collect();
         let detected = FoundSides::of(&values, columns.sides).ok_or(AmplitudesError::OneSide)?;
         for (row, sign) in rows.iter_mut().zip(&detected.signs) {

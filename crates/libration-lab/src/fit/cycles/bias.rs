@@ -6,6 +6,7 @@
 //! fits. Both are measured instead: on simulated cycles of a pendulum that obeys the exact law with the damping of the
 //! envelope, sampled with the same number of rows and measured by the same local fits.
 
+use libration::internals::InOrder;
 use std::f64::consts::TAU;
 
 use super::cycle_landmarks::CycleLandmarks;
@@ -69,7 +70,7 @@ impl Bias {
             apparatus.measured(times, &motion, watch)
         });
         let mut nodes: Vec<(f64, f64)> = measured.flatten().collect();
-        nodes.sort_by(|a, b| a.0.total_cmp(&b.0));
+        nodes.put_in_order(|a, b| a.0.total_cmp(&b.0));
         nodes.dedup_by(|a, b| a.0 <= b.0);
         (nodes.len() > 1).then_some(Self(nodes))
     }

@@ -7,6 +7,7 @@
 //! Reference: K. P. Burnham and D. R. Anderson, *Model Selection and Multimodel Inference*, 2nd ed., Springer 2002,
 //! doi:10.1007/b97636, sections 2.4 and 2.6.
 
+use libration::internals::InOrder;
 use std::fmt;
 
 use super::fall::{EnvelopeLaw, Fall};
@@ -133,7 +134,7 @@ pub(super) fn envelope(
         .filter(|curve| physical(curve))
         .filter_map(|curve| Some((score(curve)?, fall.described(curve, counted, independent))))
         .collect();
-    fits.sort_by(|a, b| a.0.total_cmp(&b.0));
+    fits.put_in_order(|a, b| a.0.total_cmp(&b.0));
     let Some(lowest) = fits.first().map(|fit| fit.0) else {
         return Err(CyclesError::TooFewHalfSwings { count: half_swings.len(), needed: FEWEST });
     };

@@ -3,6 +3,7 @@
 use super::{GateSignals, GatesError};
 use crate::statistics::count;
 use crate::statistics::median;
+use libration::internals::InOrder;
 
 /// Intervals between edges that alternate between short and long ones, the short ones below this part of the long ones, are
 /// those of a bob that blocks and frees the gate; a gate off the centre makes a smaller difference.
@@ -43,7 +44,7 @@ pub fn passages(
         return Err(GatesError::NotFinite(time));
     }
     let mut order: Vec<usize> = (0..times.len()).collect();
-    order.sort_by(|&a, &b| times[a].total_cmp(&times[b]));
+    order.put_in_order(|&a, &b| times[a].total_cmp(&times[b]));
     let sorted: Vec<f64> = order.iter().map(|&row| times[row]).collect();
     if let Some(states) = blocked {
         return Ok(paired(&sorted, &order.iter().map(|&row| states[row]).collect::<Vec<_>>()));

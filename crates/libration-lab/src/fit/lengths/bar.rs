@@ -7,6 +7,7 @@
 //! Next to the centre the period changes by up to 25 ms in a millimetre. Where no uncertainties are stated, errors of the positions and of the periods
 //! are told apart by their effect on the rows (`variance_components.rs`).
 
+use libration::internals::InOrder;
 use nalgebra::{DMatrix, DVector};
 
 use super::model::{LengthFit, LengthModel, Solution};
@@ -40,7 +41,7 @@ pub(super) fn fit(table: &LengthTable, model: LengthModel) -> Option<LengthFit> 
     };
     let mut solutions: Vec<BarSolution> =
         starts.into_iter().filter_map(|offset| at_minimum(table, model, offset, 0.0)).collect();
-    solutions.sort_by(|one, other| one.chi2.total_cmp(&other.chi2));
+    solutions.put_in_order(|one, other| one.chi2.total_cmp(&other.chi2));
     let (best, others) = solutions.split_first()?;
     let likely = if table.weighted { None } else { most_likely_ratio(table, model, best) };
     let described = likely.as_ref().unwrap_or(best);
@@ -131,7 +132,7 @@ fn trials(table: &LengthTable) -> Vec<f64> {
             && sums[*step] <= neighbour(Some(step + 1))
     };
     let mut steps: Vec<usize> = (0..TRIALS).filter(is_least).collect();
-    steps.sort_by(|one, other| sums[*one].total_cmp(&sums[*other]));
+    steps.put_in_order(|one, other| sums[*one].total_cmp(&sums[*other]));
     steps.into_iter().take(STARTS).map(offset).collect()
 }
 

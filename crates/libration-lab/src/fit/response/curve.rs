@@ -6,6 +6,7 @@ use super::required_drive::{AllHarmonics, Asked, DriveMethod, EFFORT, along, sca
 use crate::fit::uncertain::Uncertain;
 use libration::algebra::Complex;
 use libration::continuation::{BranchError, BranchPoint, Jump, Response, ResponseOptions};
+use libration::internals::InOrder;
 use libration::orbit::Stability;
 use libration::progress::{Progress, Quiet};
 use libration::taylor::{Moment, System, Trajectory};
@@ -60,7 +61,7 @@ impl ResponseFit {
             let mut points: Vec<(usize, &BranchPoint)> = special.collect();
             points.extend(branch.points.iter().enumerate());
             // A special point stands before the one with its index.
-            points.sort_by_key(|(number, _)| *number);
+            points.put_in_order_by(|(number, _)| *number);
             points.into_iter().filter_map(|(_, point)| self.on_curve(point)).collect()
         });
         Ok(FittedCurve { branches: branches.collect(), jumps: self.jumps(&response) })
@@ -108,7 +109,7 @@ impl ResponseFit {
             Some(FittedJump { frequency, amplitude, to_amplitude, rising: jump.rising })
         };
         let mut jumps: Vec<FittedJump> = response.jumps.iter().filter_map(jump).collect();
-        jumps.sort_by(|a, b| a.frequency.value.total_cmp(&b.frequency.value));
+        jumps.put_in_order(|a, b| a.frequency.value.total_cmp(&b.frequency.value));
         jumps
     }
 

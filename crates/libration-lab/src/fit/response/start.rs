@@ -6,6 +6,7 @@
 use super::model::ResponseModel;
 use super::required_drive::OneHarmonic;
 use super::table::ResponseTable;
+use libration::internals::InOrder;
 
 /// Values of ω0² on the grid.
 const SQUARES: u32 = 160;
@@ -35,11 +36,11 @@ pub(super) fn starts(table: &ResponseTable, model: ResponseModel) -> Vec<Vec<f64
                 with_linear_part(table, model, square, cubic)
             })
             .collect();
-        of_part.sort_by(|a, b| a.0.total_cmp(&b.0));
+        of_part.put_in_order(|a, b| a.0.total_cmp(&b.0));
         of_part.truncate(if parts.len() > 1 { 1 } else { BEST });
         best.extend(of_part);
     }
-    best.sort_by(|a, b| a.0.total_cmp(&b.0));
+    best.put_in_order(|a, b| a.0.total_cmp(&b.0));
     best.truncate(BEST);
     best.into_iter().map(|(_, parameters)| parameters).collect()
 }

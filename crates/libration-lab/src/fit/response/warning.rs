@@ -1,5 +1,6 @@
 //! Warnings about a fitted response.
 
+use libration::internals::InOrder;
 use std::fmt;
 
 use super::required_drive::OneHarmonic;
@@ -129,7 +130,7 @@ fn is_one_sided(table: &ResponseTable, fit: &ResponseFit) -> bool {
 fn serial_correlation(fit: &ResponseFit) -> f64 {
     let in_table: Vec<&FittedAnswer> = fit.rows.iter().collect();
     let mut on_curve = in_table.clone();
-    on_curve.sort_by(|a, b| a.phase.total_cmp(&b.phase));
+    on_curve.put_in_order(|a, b| a.phase.total_cmp(&b.phase));
     let squares: f64 = fit.rows.iter().map(|row| row.residual * row.residual).sum();
     let of_order = |rows: &[&FittedAnswer]| {
         let products: f64 = rows.windows(2).map(|pair| pair[0].residual * pair[1].residual).sum();

@@ -3,6 +3,7 @@
 use super::super::MeasurementError;
 use super::super::ambiguity::may_be_thousands;
 use super::super::number::{Cell, DecimalMark, Written};
+use libration::internals::InOrder;
 
 /// Cells in any order, and the bytes their text will take.
 #[derive(Clone, Debug)]
@@ -39,7 +40,7 @@ impl CellGrid {
     /// The text, with points for decimal commas unless all may be marks of thousands; of a cell that was added twice the first value counts. Files
     /// omit blank cells: rows that begin with a number are extended to the length of the longest of them.
     pub fn into_text(mut self) -> Result<String, MeasurementError> {
-        self.cells.sort_by_key(|(row, column, _)| (*row, *column));
+        self.cells.put_in_order_by(|(row, column, _)| (*row, *column));
         self.cells.dedup_by_key(|(row, column, _)| (*row, *column));
         let is_open = |cell: &(u32, u32, String)| has_decimal_comma(&cell.2) && !may_be_thousands(&cell.2);
         if self.cells.iter().any(is_open) {

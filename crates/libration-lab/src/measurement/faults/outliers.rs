@@ -2,6 +2,7 @@
 
 use super::steps::smallest_step;
 use crate::statistics::{NORMAL_PER_MEDIAN_DEVIATION, count, lower_median};
+use libration::internals::InOrder;
 use std::ops::Range;
 
 /// Number of robust standard deviations beyond which a value is an outlier: one in 5e8 of normal errors.
@@ -108,7 +109,7 @@ impl<'a> Curve<'a> {
     fn mark(&mut self, scales: &[f64]) -> usize {
         let mut suspects: Vec<(usize, f64)> =
             (0..scales.len()).filter_map(|row| Some((row, self.excess(row, scales)?))).collect();
-        suspects.sort_by(|a, b| b.1.total_cmp(&a.1));
+        suspects.put_in_order(|a, b| b.1.total_cmp(&a.1));
         let mut marked = 0;
         for (row, _) in suspects {
             let block = self.excess(row, scales).and_then(|_| self.explanation(row, scales));

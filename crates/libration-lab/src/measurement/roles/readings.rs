@@ -6,6 +6,7 @@ use crate::measurement::counted_periods::counted;
 use crate::measurement::heading::Heading;
 use crate::measurement::{Choice, CountedPeriods, MeasurementError, Role, Suggestion};
 use crate::statistics::{count, mean, median};
+use libration::internals::InOrder;
 
 /// Repeated readings of a row are within this factor of each other, in most rows.
 const ALIKE: f64 = 1.5;
@@ -13,7 +14,7 @@ const ALIKE: f64 = 1.5;
 impl RoleSearch<'_> {
     pub(super) fn assign_readings(&mut self) -> Result<(), MeasurementError> {
         let mut order: Vec<usize> = (0..self.needed.len()).collect();
-        order.sort_by_key(|&quantity| self.needed[quantity].only_named.is_none());
+        order.put_in_order_by(|&quantity| self.needed[quantity].only_named.is_none());
         for quantity in order {
             if self.with_role(ColumnRole::Reading(quantity)).is_empty() {
                 let columns = self.named(quantity);

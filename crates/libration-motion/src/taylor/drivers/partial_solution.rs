@@ -7,6 +7,7 @@ use crate::taylor::{
     Cause, Checkpoint, Contact, Effort, EventCheckpoint, IntegrationError, Moment, Occurrence, Solution,
     Step, System, Trajectory,
 };
+use libration_numbers::internals::algebra::InOrder;
 
 /// Samples and events of a motion so far.
 #[derive(Debug)]
@@ -170,7 +171,7 @@ impl<'a> PartialSolution<'a> {
                 zeros.extend(wanted.map(|(time, contact)| (time, event, contact)));
             }
         }
-        zeros.sort_by(|a, b| if length < 0.0 { b.0.total_cmp(&a.0) } else { a.0.total_cmp(&b.0) });
+        zeros.put_in_order(|a, b| if length < 0.0 { b.0.total_cmp(&a.0) } else { a.0.total_cmp(&b.0) });
         for (time, event, contact) in zeros {
             let state = step.state_at(time);
             self.events.push(Occurrence { event, time, state: state.clone(), contact });

@@ -5,6 +5,7 @@
 //! extrema of steep exponents, and are halved until each series agrees with the value of the formula at the state. The same is done for a
 //! formula with a pole, such as 1/x, which the motion and its steps pass.
 
+use libration_numbers::internals::algebra::InOrder;
 use std::collections::VecDeque;
 
 use super::boundary::{boundaries, reached};
@@ -104,7 +105,7 @@ impl SharpFormula {
                 (None, None) => {}
             }
         }
-        parts.sort_by(|a, b| (a.start * length.signum()).total_cmp(&(b.start * length.signum())));
+        parts.put_in_order(|a, b| (a.start * length.signum()).total_cmp(&(b.start * length.signum())));
         parts
     }
 

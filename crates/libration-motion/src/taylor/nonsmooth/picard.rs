@@ -6,6 +6,7 @@
 
 use crate::taylor::StateLayout;
 use crate::taylor::program::passage::{Passage, Values};
+use libration_numbers::internals::algebra::InOrder;
 use libration_numbers::internals::quadrature::{POINTS, points, running_integrals};
 use libration_numbers::roots::{Tolerance, zero_between};
 
@@ -140,7 +141,7 @@ impl PicardStart<'_> {
             }
             before = here;
         }
-        ends.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
+        ends.put_in_order(|a, b| a.abs().total_cmp(&b.abs()));
         ends.dedup();
         Some(ends.windows(2).map(|pair| Panel { start: pair[0], length: pair[1] - pair[0] }).collect())
     }

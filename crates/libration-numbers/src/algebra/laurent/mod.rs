@@ -8,6 +8,7 @@
 mod ring;
 mod text;
 
+use super::in_order::InOrder;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -74,7 +75,7 @@ impl LaurentPolynomial {
     pub fn terms(&self) -> impl Iterator<Item = (&Rational, Vec<LetterPower<'_>>)> {
         let above = |powers: &HalfPowers| powers.iter().filter(|power| **power > 0).sum::<i64>();
         let mut terms: Vec<_> = self.half_powers().collect();
-        terms.sort_by(|(a, _), (b, _)| above(a).cmp(&above(b)).then_with(|| b.cmp(a)));
+        terms.put_in_order(|(a, _), (b, _)| above(a).cmp(&above(b)).then_with(|| b.cmp(a)));
         terms.into_iter().map(|(powers, factor)| {
             let present = self.letters.iter().zip(powers.iter()).filter(|(_, power)| **power != 0);
             let exponent = |power: i64| Rational::new(power, 2).expect("two is not zero");

@@ -57,7 +57,8 @@ impl LaurentPolynomials {
     #[doc(hidden)]
     pub fn term(&self, powers: HalfPowers, factor: Rational) -> LaurentPolynomial {
         let beyond = powers.iter().any(|power| power.abs() > LARGEST_HALF_POWER);
-        let terms = if factor.is_zero() { BTreeMap::new() } else { BTreeMap::from([(powers, factor)]) };
+        let terms =
+            if factor.is_zero() { BTreeMap::new() } else { ordered_map(std::iter::once((powers, factor))) };
         self.element((!beyond).then_some(terms))
     }
 

@@ -50,6 +50,7 @@ mod weak_force;
 use super::gauge::Gauge;
 use averaging::{Amplitude, Averaged, Averaging, Failed};
 pub(super) use half_swing::HalfSwings;
+use libration_numbers::internals::algebra::InOrder;
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::Progress;
 use libration_numbers::{
@@ -66,10 +67,11 @@ pub(super) use phase_functions::{PhaseFunctions, Term};
 pub use error::{MAX_PARAMETER_ORDER, MAX_SLOW_ORDER, SlowFlowError};
 pub use limit_cycle::SlowLimitCycle;
 pub use symbolic::{
-    AmplitudeInTime, CoordinateFlow, CoupledSlowFlow, JudgedState, LeftOutReason, MAX_SYMBOLIC_SLOW_ORDER,
-    PhaseInTime, ResponseSteps, SlowFlowAt, SlowFlowSteps, SmallTerm, StateLeftOut, SteadySolution,
-    SteadyState, SteadyStates, SymbolicSlowFlow, SymbolicSlowFlowError, SymbolicSlowFlowOptions,
-    coupled_slow_flow, drive_symbol, next_slow_flow, slow_flow_steps, slow_flow_symbolically,
+    AmplitudeInTime, CoordinateFlow, CoupledSlowFlow, EarlierOrder, JudgedState, LeftOutReason,
+    MAX_SYMBOLIC_SLOW_ORDER, PhaseInTime, ResponseSteps, SlowFlowAt, SlowFlowSteps, SmallTerm, StateLeftOut,
+    SteadySolution, SteadyState, SteadyStates, SymbolicSlowFlow, SymbolicSlowFlowError,
+    SymbolicSlowFlowOptions, coupled_slow_flow, drive_symbol, next_slow_flow, slow_flow_steps,
+    slow_flow_symbolically,
 };
 pub(crate) use weak_force::FirstOrder;
 pub use weak_force::WeakForce;
@@ -350,7 +352,7 @@ impl<'a> SlowFlowProblem<'a> {
                 }
             }
         }
-        flow.motion.sort_by_key(|term| (term.power, term.k));
+        flow.motion.put_in_order_by(|term| (term.power, term.k));
         flow
     }
 }

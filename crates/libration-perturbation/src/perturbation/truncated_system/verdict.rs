@@ -1,5 +1,6 @@
 //! Verdicts on the solutions of a truncated system: the motion sought, or the reason for a rejection.
 
+use libration_numbers::internals::algebra::InOrder;
 use std::fmt;
 
 use super::TruncatedSolution;
@@ -53,7 +54,7 @@ pub(super) fn judged(
             frequency_ratio_squared,
         })
         .collect();
-    solutions.sort_by(|a, b| a.verdict.cmp(&b.verdict).then(a.residual.total_cmp(&b.residual)));
+    solutions.put_in_order(|a, b| a.verdict.cmp(&b.verdict).then(a.residual.total_cmp(&b.residual)));
     solutions
 }
 

@@ -42,6 +42,9 @@ impl Expand {
                 expand_with_constants(&oscillator, order, &self.gauge(), progress)
             });
             let exact = match exact {
+                Err(SymbolicExpansionError::Expansion(error)) if is_of_cycles(&error) => {
+                    return Ok(Err(error));
+                }
                 Err(SymbolicExpansionError::Expansion(error)) => return Err(refusal(error)),
                 Err(SymbolicExpansionError::Interrupted { .. }) => {
                     return Err(refusal(ExpansionError::Interrupted { known: None }));
@@ -59,7 +62,7 @@ impl Expand {
             Err(ExpansionError::Interrupted { known: Some(partial) }) => {
                 ExpandResult::new(chosen, *partial, Some(order))
             }
-            Err(error @ ExpansionError::NotPolynomial) => return Ok(Err(error)),
+            Err(error) if is_of_cycles(&error) => return Ok(Err(error)),
             Err(error) => return Err(refusal(error)),
         };
         if let Some(amplitude) = amplitude {
@@ -127,4 +130,9 @@ fn in_words(Status { stage, done: order, .. }: Status) -> String {
         Stage::Floats { bits } => format!("order {order} with {bits} bits"),
         _ => format!("checking order {order}"),
     }
+}
+
+/// `true` if there is no limit cycle to expand.
+const fn is_of_cycles(error: &ExpansionError) -> bool {
+    matches!(error, ExpansionError::NotPolynomial | ExpansionError::NoLimitCycle { .. })
 }

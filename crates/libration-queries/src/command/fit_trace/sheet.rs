@@ -6,6 +6,7 @@ use super::units::in_unit;
 use crate::output;
 use crate::output::number::{self, rounded};
 use crate::output::table::{paragraph, sheet};
+use libration::internals::InOrder;
 use libration::quantity::STANDARD_GRAVITY;
 use libration_lab::fit::swings::{FittedPendulum, Warning};
 use libration_lab::fit::trace::Comparison;
@@ -155,7 +156,7 @@ pub(super) fn best_first<'a>(
     comparison: &'a Comparison,
 ) -> Vec<DampingModel<'a>> {
     let mut models = fields::models(answer, comparison);
-    models.sort_by(|a, b| a.excess().total_cmp(&b.excess()));
+    models.put_in_order(|a, b| a.excess().total_cmp(&b.excess()));
     models
 }
 

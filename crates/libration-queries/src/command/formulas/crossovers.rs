@@ -9,6 +9,7 @@ use crate::output::progress::ProgressLine;
 use crate::output::table::Table;
 use crate::output::{Form, csv, number};
 use crate::query_error::{QueryError, option};
+use libration::internals::InOrder;
 use libration::period_formulas::{Crossover, PeriodFormula};
 use libration::progress::Status;
 use std::cell::RefCell;
@@ -29,7 +30,7 @@ pub(super) fn write(out: &mut dyn Write, form: Form, formulas: &[PeriodFormula])
     };
     let mut crossovers = table.all_crossovers(&progress);
     drop(line);
-    crossovers.sort_by(|a, b| a.amplitude.radians().total_cmp(&b.amplitude.radians()));
+    crossovers.put_in_order(|a, b| a.amplitude.radians().total_cmp(&b.amplitude.radians()));
     let fields = of_crossover();
     match form {
         Form::Json => {

@@ -10,6 +10,7 @@ use crate::interrupt;
 use crate::output::{Form, FormOptions, announce};
 use crate::query_error::QueryError;
 use fields::{Estimate, Swing};
+use libration::internals::InOrder;
 use libration::period_formulas::{PeriodFormula, fractional_errors};
 use libration::quantity::Angle;
 use std::io::Write;
@@ -85,7 +86,7 @@ impl Period {
     /// The estimates of the formulas, in the order requested.
     fn sorted<'a>(&self, mut estimates: Vec<Estimate<'a>>) -> Vec<Estimate<'a>> {
         if self.sort == FormulaOrder::Error {
-            estimates.sort_by(|a, b| a.fractional_error.abs().total_cmp(&b.fractional_error.abs()));
+            estimates.put_in_order(|a, b| a.fractional_error.abs().total_cmp(&b.fractional_error.abs()));
         }
         estimates
     }

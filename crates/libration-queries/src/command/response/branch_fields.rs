@@ -6,6 +6,7 @@ use crate::output::json;
 use crate::output::number::{at_most, to_its_error};
 use libration::algebra::Complex;
 use libration::continuation::{Branch, BranchPoint, Ending, Origin, SpecialPoint};
+use libration::internals::InOrder;
 use serde_json::Value;
 
 /// A branch of a response, with its number from 1.
@@ -57,7 +58,7 @@ impl<'a> NumberedBranch<'a> {
         let mut points: Vec<(usize, PointOfBranch<'a>)> =
             self.points().enumerate().map(|(k, point)| (2 * k + 1, point)).collect();
         points.extend(self.branch.special.iter().map(|special| 2 * special.before).zip(self.special()));
-        points.sort_by_key(|(order, _)| *order);
+        points.put_in_order_by(|(order, _)| *order);
         points.into_iter().map(|(_, point)| point).collect()
     }
 }

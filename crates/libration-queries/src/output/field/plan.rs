@@ -6,6 +6,7 @@ use crate::output::description::Description;
 use crate::output::json::Record;
 use crate::output::table::Column;
 use crate::output::{csv, number};
+use libration::internals::InOrder;
 
 /// Placeholder in names and titles for the key of repeated fields.
 const KEY: &str = "KEY";
@@ -110,7 +111,7 @@ impl Plans {
             titles.iter().position(|other| *other == title)
         };
         self.0.retain(|plan| index(plan).is_some());
-        self.0.sort_by_key(index);
+        self.0.put_in_order_by(index);
     }
 
     /// Adds the fields of JSON, in whose names `NAME` stands for this one.

@@ -1,5 +1,6 @@
 //! Every combination of dry friction, linear and quadratic drag, fitted one after the other.
 
+use libration::internals::InOrder;
 use libration::internals::progress::Watch;
 use libration::progress::Progress;
 
@@ -139,7 +140,7 @@ fn end(
     let next = parts().filter(|part| part.terms().count() + 1 == terms.count() && part.follows());
     let mut starts: Vec<(DampingModel, &TraceMinimum)> =
         next.filter_map(|part| Some((part.terms(), part.minimum.as_ref()?))).collect();
-    starts.sort_by(|(_, one), (_, other)| one.sum_of_squares().total_cmp(&other.sum_of_squares()));
+    starts.put_in_order(|(_, one), (_, other)| one.sum_of_squares().total_cmp(&other.sum_of_squares()));
     let mut near = vec![];
     for (part, minimum) in starts {
         near.push(problem.approach(layout.with_terms_of(part, &minimum.parameters), PATIENCE, watch));

@@ -4,6 +4,7 @@ mod complex;
 mod decimal_digits;
 mod floats;
 mod function;
+mod in_order;
 mod integer_polynomial;
 mod lanewise;
 mod laurent;

@@ -10,6 +10,7 @@ use super::setting::Setting;
 use super::{SymbolicSlowFlowOptions, answered};
 use libration_numbers::algebra::Rational;
 use libration_numbers::expression::Equation;
+use libration_numbers::internals::algebra::InOrder;
 use libration_numbers::progress::Progress;
 use std::collections::BTreeMap;
 
@@ -201,7 +202,7 @@ fn turns_of(letters: &Letters, powers: &[i64]) -> Vec<i64> {
 
 fn all_turns(letters: &Letters, sum: &Sum) -> Vec<Vec<i64>> {
     let mut turns: Vec<Vec<i64>> = sum.half_powers().map(|(powers, _)| turns_of(letters, powers)).collect();
-    turns.sort_by_key(|turns| (turns.iter().map(|turn| turn.abs()).sum::<i64>(), turns.clone()));
+    turns.put_in_order_by(|turns| (turns.iter().map(|turn| turn.abs()).sum::<i64>(), turns.clone()));
     turns.dedup();
     turns
 }
@@ -225,7 +226,7 @@ fn displacement(setting: &Setting, forced: &Forced<'_>, sum: &Sum, coordinate: u
     let letters = forced.letters;
     let mut harmonics = letters.exponents(sum, Column::Wave);
     harmonics.retain(|&k| k >= 0);
-    harmonics.sort_by_key(|&k| (k != forced.harmonics[coordinate], k));
+    harmonics.put_in_order_by(|&k| (k != forced.harmonics[coordinate], k));
     let mut text = String::new();
     for k in harmonics {
         let of_wave = letters.coefficient(sum, Column::Wave, k);

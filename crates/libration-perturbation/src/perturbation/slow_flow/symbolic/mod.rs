@@ -29,7 +29,9 @@ mod notes;
 mod phase_sums;
 mod result;
 mod scales;
+mod second_order;
 mod setting;
+mod small_terms;
 mod states;
 mod steady;
 mod steady_state;
@@ -50,9 +52,11 @@ pub use coupled::{CoordinateFlow, CoupledSlowFlow, coupled_slow_flow};
 pub use error::{MAX_SYMBOLIC_SLOW_ORDER, SymbolicSlowFlowError};
 pub use evaluation::{SlowFlowAt, SteadySolution};
 pub use result::SymbolicSlowFlow;
+pub use second_order::EarlierOrder;
+pub use small_terms::SmallTerm;
 pub use states::{JudgedState, LeftOutReason, StateLeftOut, SteadyStates};
 pub use steady_state::SteadyState;
-pub use steps::{AmplitudeInTime, PhaseInTime, ResponseSteps, SlowFlowSteps, SmallTerm};
+pub use steps::{AmplitudeInTime, PhaseInTime, ResponseSteps, SlowFlowSteps};
 
 /// Small parameters, resonance and order of a slow flow.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -145,7 +149,8 @@ pub fn next_slow_flow(
     None
 }
 
-/// The steps to the slow flow of the lowest order that is not zero; `None` if terms of several orders act on it.
+/// The steps to the slow flow of the lowest order that is not zero, or of the requested one if it is higher, or of the highest of the small
+/// parameters; `None` if these steps take more than products of two terms of one order.
 ///
 /// # Errors
 /// Those of [`slow_flow_symbolically`].
@@ -157,18 +162,22 @@ pub fn slow_flow_steps(
     if equation.variables().len() != 1 {
         return Err(SymbolicSlowFlowError::SeveralEquations(equation.variables().len()));
     }
-    for order in 1..=MAX_SYMBOLIC_SLOW_ORDER {
-        let options = SymbolicSlowFlowOptions { order: Some(order), ..options.clone() };
-        let collected = |setting: &Setting, forced: &Forced<'_>, properties: &_, solved: &Solved, order| {
+    let at = |order: usize| SymbolicSlowFlowOptions { order: Some(order), ..options.clone() };
+    for lowest in 1..=MAX_SYMBOLIC_SLOW_ORDER {
+        let acts = |setting: &Setting, forced: &Forced<'_>, _: &_, solved: &Solved, _| {
             let letters = forced.letters;
             let detuning = letters.index(Column::Detuning);
             let is_bare = |powers: &[i64]| powers[detuning] == 0;
             let acts = !letters.part(&solved.rates[0], is_bare).is_zero();
-            acts.then(|| steps::steps(setting, forced, properties, solved, (equation, order)))
+            acts.then(|| setting.highest_order().and_then(|order| usize::try_from(order).ok()))
         };
-        if let Some(steps) = answered(equation, &options, progress, collected)? {
-            return Ok(steps);
-        }
+        let Some(stated) = answered(equation, &at(lowest), progress, acts)? else { continue };
+        let order = options.order.or(stated).unwrap_or(lowest).max(lowest);
+        let lowest = i64::try_from(lowest).unwrap_or(0);
+        let collected = |setting: &Setting, forced: &Forced<'_>, properties: &_, solved: &Solved, order| {
+            steps::steps(setting, forced, properties, solved, (equation, [lowest, order]))
+        };
+        return answered(equation, &at(order), progress, collected);
     }
     Ok(None)
 }

@@ -2,6 +2,7 @@
 
 use super::letters::{Column, Letters, Sum};
 use libration_numbers::algebra::Rational;
+use libration_numbers::internals::algebra::ordered_map;
 use std::collections::BTreeMap;
 
 /// Σ cₖ·cos kφ + sₖ·sin kφ.
@@ -58,7 +59,7 @@ impl PhaseSum {
             .harmonics
             .iter()
             .map(|(&k, parts)| (k, parts.each_ref().map(|part| letters.times(part, factor))));
-        Self { harmonics: each.collect() }
+        Self { harmonics: ordered_map(each) }
     }
 
     /// The formula; `angle` writes the argument of a harmonic.

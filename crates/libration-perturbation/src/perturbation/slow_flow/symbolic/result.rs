@@ -12,6 +12,7 @@ use super::setting::{Names, Setting};
 use super::steady::{Obstacle, Steady, SteadyEquations};
 use super::steady_state::{MOST_TERMS, SteadyState};
 use libration_numbers::algebra::{Rational, Ring};
+use libration_numbers::internals::algebra::InOrder;
 
 /// A slow flow as formulas in plain text, which [`Expression`](libration_numbers::expression::Expression) reads.
 #[derive(Clone, Debug, PartialEq)]
@@ -110,13 +111,18 @@ pub(super) fn collected(
 
 /// A′ and A·φ′: real and imaginary part of 2z′·e^{−iφ}.
 pub(super) fn rates(letters: &Letters, rate: &Sum) -> [PhaseSum; 2] {
+    PhaseSum::parts(letters, &turned(letters, rate))
+}
+
+/// 2z′·e^{−iφ} in powers of e^{iφ}.
+pub(super) fn turned(letters: &Letters, rate: &Sum) -> Sum {
     let [z, conjugate, wave] =
         [Column::Phasor, Column::Conjugate, Column::Wave].map(|column| letters.index(column));
     let turned = letters.changed(rate, |powers, factor| {
         powers[wave] = powers[z] - powers[conjugate] - 2;
         factor.clone()
     });
-    PhaseSum::parts(letters, &letters.scaled(&polar(letters, &turned), &Rational::from(2)))
+    letters.scaled(&polar(letters, &turned), &Rational::from(2))
 }
 
 /// The sum with A/2 in place of each z and z̄.
@@ -278,12 +284,12 @@ fn displacement(
     let [z, conjugate] = [Column::Phasor, Column::Conjugate].map(|column| letters.index(column));
     let mut turns: Vec<i64> =
         motion.half_powers().map(|(powers, _)| (powers[z] - powers[conjugate]) / 2).collect();
-    turns.sort_by_key(|turn| (turn.abs(), -turn));
+    turns.put_in_order_by(|turn| (turn.abs(), -turn));
     turns.dedup();
     let mut harmonics = letters.exponents(motion, Column::Wave);
     harmonics.retain(|&k| k >= 0);
     let q = forced.harmonics[0];
-    harmonics.sort_by_key(|&k| (k != q, k));
+    harmonics.put_in_order_by(|&k| (k != q, k));
     let mut text = equilibrium.map_or_else(String::new, ToString::to_string);
     for k in harmonics {
         let of_wave = letters.coefficient(motion, Column::Wave, k);

@@ -131,7 +131,7 @@ impl Forced<'_> {
     }
 
     /// Powers of displacement and velocity of each coordinate, as far as the forces without kinks contain them.
-    fn powers(&self, displacements: &[Sum], velocities: &[Sum], n: i64) -> Vec<[Vec<Sum>; 2]> {
+    pub(super) fn powers(&self, displacements: &[Sum], velocities: &[Sum], n: i64) -> Vec<[Vec<Sum>; 2]> {
         let letters = self.letters;
         let smooth = || self.terms.iter().flatten().filter(|term| !term.is_kinked());
         let list = |of: &Sum, coordinate: usize, which: usize| {
@@ -158,7 +158,7 @@ impl Forced<'_> {
     }
 
     /// A force without kinks, to an order.
-    fn product(&self, term: &SmallForceTerm, powers: &[[Vec<Sum>; 2]], n: i64) -> Sum {
+    pub(super) fn product(&self, term: &SmallForceTerm, powers: &[[Vec<Sum>; 2]], n: i64) -> Sum {
         let letters = self.letters;
         let factors = term.powers.iter().zip(powers).flat_map(|(exponents, [positions, velocities])| {
             [&positions[exponents[0]], &velocities[exponents[1]]]
@@ -191,7 +191,7 @@ impl Forced<'_> {
     }
 
     /// The time derivative of a function of s and all z and z̄, to an order.
-    fn rate_of_change(&self, of: &Sum, rates: &[Sum], n: i64) -> Sum {
+    pub(super) fn rate_of_change(&self, of: &Sum, rates: &[Sum], n: i64) -> Sum {
         let letters = self.letters;
         let over = |sum: &Sum, by: i64| {
             letters.scaled(sum, &Rational::new(1, by).unwrap_or_else(|| Rational::from(0)))

@@ -6,6 +6,7 @@ use super::force::DriveFrequency;
 use super::letters::Letters;
 use super::steady::greatest_common_divisor;
 use libration_numbers::expression::{Equation, Expression};
+use libration_numbers::internals::algebra::InOrder;
 
 /// Names of the result that the symbols of the equation do not have.
 #[derive(Clone, Debug)]
@@ -70,7 +71,7 @@ impl Setting {
             open.retain(|name| name != frequency || is_natural);
         }
         let small = small(&open, options, &names)?;
-        open.sort_by_key(|name| small.iter().all(|(other, _)| other != name));
+        open.put_in_order_by(|name| small.iter().all(|(other, _)| other != name));
         if small.len() != 1 {
             open.sort();
         }

@@ -1,14 +1,15 @@
-//! The first approximation of a slow flow step by step, as formulas for derivations: each small term along the motion of order zero, with its
+//! A slow flow of the lowest order, or of the one after it, step by step, as formulas for derivations: each small term along the motion, with its
 //! resonant part.
 
 use super::criteria::ResponseCurve;
 use super::equations::Found;
-use super::force::DriveFrequency;
 use super::letters::{Column, Letters, Sum};
-use super::phase_sums::{PhaseSum, append, append_term, real_and_imaginary};
-use super::result::{SymbolicSlowFlow, angle, collected, lowest_order, polar, rates};
-use super::scales::{Forced, SmallForceTerm, Solved};
+use super::phase_sums::PhaseSum;
+use super::result::{SymbolicSlowFlow, collected};
+use super::scales::{Forced, Solved};
+use super::second_order::EarlierOrder;
 use super::setting::Setting;
+use super::small_terms::{SmallTerm, Written, multiple};
 use super::steady_state::MOST_TERMS;
 use libration_numbers::algebra::Rational;
 use libration_numbers::expression::Equation;
@@ -24,8 +25,12 @@ pub struct SlowFlowSteps {
     pub motion: [[String; 2]; 2],
     /// A drive of order zero; empty if there is none.
     pub drive: String,
-    /// The small terms, x″ + ω0²·x = drive of order zero + Σ terms.
+    /// The small terms of this order, or of all orders if there is none before, x″ + ω0²·x = drive of order zero + Σ terms.
     pub terms: Vec<SmallTerm>,
+    /// The order before, of which products of two act in this one; `None` if no products act.
+    pub before: Option<EarlierOrder>,
+    /// `true` if the slow flow is of its lowest order.
+    pub has_one_order: bool,
     /// `true` if terms are small because the amplitude is.
     pub is_by_amplitude: bool,
     /// The derivatives of A′ and φ′ with respect to A and φ.
@@ -64,21 +69,6 @@ pub struct PhaseInTime {
     pub time: Option<String>,
 }
 
-/// A small term of the equation of motion.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SmallTerm {
-    /// The term in displacement and velocity, in W·t and with (p/q)·(ψ − φ) in its place.
-    pub force: [String; 2],
-    /// The term as a sum of waves; `None` with abs or sign, whose harmonics do not end.
-    pub waves: Option<String>,
-    /// Waves of the drive whose frequency is that of ψ; empty if there are none.
-    pub turning: String,
-    /// Factors of cos ψ and sin ψ in the resonant part.
-    pub resonant: [String; 2],
-    /// The same of the waves of the drive alone.
-    pub turned: [String; 2],
-}
-
 /// Steps to the properties of a response curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ResponseSteps {
@@ -90,172 +80,47 @@ pub struct ResponseSteps {
     pub cubic: Option<[String; 2]>,
 }
 
-/// The steps if all terms that act in the lowest order of the slow flow are of this order.
+/// The steps if the products of two small terms are of a higher order, or of this one and all of terms of half this order. The slow flow begins at
+/// the lowest order.
 pub(super) fn steps(
     setting: &Setting,
     forced: &Forced<'_>,
     properties: &Found,
     solved: &Solved,
-    (equation, order): (&Equation, i64),
+    (equation, [lowest, order]): (&Equation, [i64; 2]),
 ) -> Option<SlowFlowSteps> {
     let letters = forced.letters;
     let flow = collected(setting, forced, properties, solved, order);
-    lowest_order(letters, &flow.sums.rates)?;
     let detuning = letters.lowest_order(&forced.detuning);
-    let orders = forced.terms.iter().flatten().map(|term| term.order).chain(detuning);
-    let is_higher = setting.highest_order().is_some_and(|highest| highest > order);
-    if is_higher || orders.min().is_some_and(|lowest| lowest < order) {
+    let first = forced.terms.iter().flatten().map(|term| term.order).min()?;
+    if detuning.is_some_and(|detuning| detuning != lowest) {
         return None;
     }
     let written = Written { setting, forced, variable: &equation.variables()[0], is_at_phase: false };
-    let acting = forced.terms[0].iter().filter(|term| term.order == order);
-    let terms = acting.map(|term| written.term(solved, term)).collect();
+    // Products of two small terms are of twice the first order at least.
+    let before = match order < 2 * first {
+        true => None,
+        false => Some(EarlierOrder::new(&written, solved, [first, lowest, order])?),
+    };
+    let own = if before.is_some() { order..=order } else { first..=order };
     let unperturbed = letters.of_order(&solved.displacements[0], 0);
     let motion = [unperturbed.clone(), forced.velocity(&unperturbed)];
-    let at_phase = Written { is_at_phase: true, ..written };
+    let is_one_order = lowest == order;
+    let steady = is_one_order.then_some(&flow);
     Some(SlowFlowSteps {
         detuning: setting.drive.as_ref().map(|_| letters.text(&forced.detuning)),
-        motion: [&written, &at_phase].map(|written| motion.each_ref().map(|sum| written.waves(sum))),
+        motion: written.both(&motion),
         drive: written.waves(&forced.drives[0]),
-        terms,
+        terms: written.terms(solved, own),
+        has_one_order: is_one_order,
         is_by_amplitude: properties.acting_order.is_some(),
         partials: partials(letters, &flow.sums.rates, written.phase()),
-        cycle_exponent: cycle_exponent(letters, forced, &flow, order),
-        curve: curve(letters, forced, &flow),
-        in_time: in_time(letters, &flow.sums.rates),
+        cycle_exponent: steady.and_then(|flow| cycle_exponent(letters, forced, flow, order)),
+        curve: steady.and_then(|flow| curve(letters, forced, flow)),
+        in_time: is_one_order.then(|| in_time(letters, &flow.sums.rates)).flatten(),
+        before,
         flow,
     })
-}
-
-/// Formulas in the names of an equation.
-#[derive(Clone, Copy)]
-struct Written<'a> {
-    setting: &'a Setting,
-    forced: &'a Forced<'a>,
-    variable: &'a str,
-    /// `true` for (p/q)·(ψ − φ) in place of W·t.
-    is_at_phase: bool,
-}
-
-impl Written<'_> {
-    fn term(&self, solved: &Solved, term: &SmallForceTerm) -> SmallTerm {
-        let (forced, letters) = (self.forced, self.forced.letters);
-        let value = forced.along(&solved.displacements[0], term);
-        let text = |sum: &PhaseSum| sum.text(letters, |k| multiple(k, self.phase()));
-        let minus = letters.number(Rational::from(-1));
-        let factors = |waves: &Sum| {
-            let coefficient = letters.coefficient(waves, Column::Wave, forced.harmonics[0]);
-            let [real, imaginary] = rates(letters, &coefficient);
-            [text(&real), text(&imaginary.times(letters, &minus))]
-        };
-        let wave = letters.index(Column::Wave);
-        let resonant = letters.part(&value, |powers| powers[wave].abs() == 2 * forced.harmonics[0]);
-        let is_turning = |powers: &[i64]| self.wave_numbers(powers)[1] != 0;
-        let turning = letters.part(&resonant, is_turning);
-        SmallTerm {
-            force: [false, true].map(|is_at_phase| Self { is_at_phase, ..*self }.force(term)),
-            waves: (!term.is_kinked()).then(|| self.waves(&value)),
-            turning: self.waves(&turning),
-            resonant: factors(&value),
-            turned: factors(&turning),
-        }
-    }
-
-    fn phase(&self) -> &str {
-        &self.setting.names.coordinates[0].phase
-    }
-
-    /// The term as a product.
-    fn force(&self, term: &SmallForceTerm) -> String {
-        let x = self.variable;
-        let [position, velocity] = term.powers[0];
-        let power = |base: &str, exponent: usize| match exponent {
-            0 => None,
-            1 => Some(base.to_owned()),
-            _ => Some(format!("{base}^{exponent}")),
-        };
-        let speed = format!("{x}'");
-        let sign = |base: &str, is_factor: bool| is_factor.then(|| format!("sign({base})"));
-        let factors = [
-            power(x, position),
-            sign(x, term.signs[0]),
-            power(&speed, velocity),
-            sign(&speed, term.signs[1]),
-        ];
-        let factors: Vec<String> = factors.into_iter().flatten().collect();
-        let mut text = String::new();
-        let moving = (!factors.is_empty()).then(|| factors.join("*"));
-        append(&mut text, &self.waves(&term.coefficient), moving);
-        text
-    }
-
-    /// j and m of a wave e^{i(jψ + mWt)}.
-    fn wave_numbers(&self, powers: &[i64]) -> [i64; 2] {
-        let letters = self.forced.letters;
-        let [z, conjugate, wave] =
-            [Column::Phasor, Column::Conjugate, Column::Wave].map(|column| powers[letters.index(column)]);
-        let j = (z - conjugate) / 2;
-        [j, (wave / 2 - self.forced.harmonics[0] * j) / self.forced.drive_harmonic]
-    }
-
-    /// A real sum of waves, those near the natural frequency first.
-    fn waves(&self, sum: &Sum) -> String {
-        let letters = self.forced.letters;
-        let q = self.forced.harmonics[0];
-        let mut all: Vec<[i64; 2]> = sum.half_powers().map(|(powers, _)| self.wave_numbers(powers)).collect();
-        all.retain(|[j, m]| *j > 0 || (*j == 0 && *m >= 0));
-        let frequency = |[j, m]: &[i64; 2]| (q * j + self.forced.drive_harmonic * m).abs();
-        all.sort_by_key(|wave| (frequency(wave) != q, frequency(wave), *wave));
-        all.dedup();
-        let mut text = String::new();
-        for numbers in all {
-            let wave_part = letters.part(sum, |powers| self.wave_numbers(powers) == numbers);
-            let wave = letters.index(Column::Wave);
-            let still = letters.changed(&wave_part, |powers, factor| {
-                powers[wave] = 0;
-                factor.clone()
-            });
-            let doubled = if numbers == [0, 0] { 1 } else { 2 };
-            let amplitude = letters.scaled(&polar(letters, &still), &Rational::from(doubled));
-            let [real, imaginary] = real_and_imaginary(letters, &amplitude);
-            let angle = self.angle(numbers);
-            let sine = letters.scaled(&imaginary, &Rational::from(-1));
-            for (name, coefficient) in [("cos", real), ("sin", sine)] {
-                let function = (!angle.is_empty()).then(|| format!("{name}({angle})"));
-                append(&mut text, &letters.text(&coefficient), function);
-            }
-        }
-        text
-    }
-
-    /// jψ + mWt.
-    fn angle(&self, [j, m]: [i64; 2]) -> String {
-        let mut text = if j == 0 { String::new() } else { multiple(j, "psi") };
-        let turns = Rational::from(m.abs());
-        let (p, q) = self.setting.resonance;
-        let drive = match &self.setting.drive {
-            Some(_) if self.is_at_phase => {
-                let turns = turns * Rational::new(p, q).unwrap_or_else(|| Rational::from(1));
-                match (turns.to_string().as_str(), j == 0 && m > 0) {
-                    ("0", _) => String::new(),
-                    ("1", true) => format!("psi - {}", self.phase()),
-                    (turns, _) => format!("{turns}*(psi - {})", self.phase()),
-                }
-            }
-            Some(DriveFrequency::Symbol(name)) => angle(&turns, name),
-            Some(DriveFrequency::Number(number)) => angle(&(turns * number.clone()), "1"),
-            None => String::new(),
-        };
-        append_term(&mut text, &if m < 0 { format!("-{drive}") } else { drive });
-        text
-    }
-}
-
-fn multiple(k: i64, of: &str) -> String {
-    match k {
-        1 => of.to_owned(),
-        _ => format!("{k}*{of}"),
-    }
 }
 
 /// The derivatives of A′ and φ′ with respect to A and φ.

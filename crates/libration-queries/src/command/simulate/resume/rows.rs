@@ -3,6 +3,7 @@
 use super::{Checksum, Mark, ResumeError, RunParameters};
 use crate::command::simulate::events::Happening;
 use crate::output::csv;
+use libration::internals::InOrder;
 use libration::taylor::MomentErrors;
 use serde_json::Value;
 use std::fs::File;
@@ -55,7 +56,7 @@ impl Rows {
         let mut rows = list("samples", mark.samples)?;
         rows.extend(list("events", mark.events)?);
         // Samples stay before the events at their time.
-        rows.sort_by(|a, b| a.time.abs().total_cmp(&b.time.abs()));
+        rows.put_in_order(|a, b| a.time.abs().total_cmp(&b.time.abs()));
         Some(Self::List(rows))
     }
 

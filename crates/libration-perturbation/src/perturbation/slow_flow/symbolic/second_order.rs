@@ -1,0 +1,126 @@
+//! The second approximation of a slow flow: what the waves that the small terms force, and the changes of amplitude and phase, make of these terms.
+
+use super::letters::{Column, Letters, Sum};
+use super::phase_sums::{PhaseSum, append_term};
+use super::result::turned;
+use super::scales::{Forced, SmallForceTerm, Solved};
+use super::small_terms::{SmallTerm, Written, multiple};
+use libration_numbers::algebra::Rational;
+
+/// The order of the first small terms, of which products of two act in the next one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EarlierOrder {
+    /// Order of the terms.
+    pub order: usize,
+    /// The small terms of this order.
+    pub terms: Vec<SmallTerm>,
+    /// The changes of these terms, in the names of the changes of displacement and velocity.
+    pub changes: Vec<SmallTerm>,
+    /// Names of the changes of displacement and velocity.
+    pub names: [String; 2],
+    /// Changes of displacement and velocity, in W·t and with (p/q)·(ψ − φ) in its place.
+    pub motion: [[String; 2]; 2],
+    /// The change of the velocity at constant amplitude and phase, in both forms.
+    pub wave_velocity: [String; 2],
+    /// What forces the change of the displacement: the waves of the terms with other frequencies, in both forms.
+    pub forcing: [String; 2],
+    /// A″ − A·(ψ′ − ω0)² and 2·A′·(ψ′ − ω0) + A·ψ″ by the rates of this order; `None` if amplitude and phase do not change in this order.
+    pub products: Option<[String; 2]>,
+}
+
+impl EarlierOrder {
+    /// `None` if terms have other orders, or kinks, or if the drive is not small.
+    pub(super) fn new(
+        written: &Written<'_>,
+        solved: &Solved,
+        [first, lowest, order]: [i64; 3],
+    ) -> Option<Self> {
+        let forced = written.forced;
+        let letters = forced.letters;
+        let is_of_both = |term: &SmallForceTerm| [first, order].contains(&term.order) || term.order > order;
+        let mut early = forced.terms[0].iter().filter(|term| term.order == first);
+        let is_possible = order == 2 * first
+            && [first, order].contains(&lowest)
+            && forced.drives[0].is_zero()
+            && forced.terms[0].iter().all(is_of_both)
+            && early.all(|term| !term.is_kinked());
+        if !is_possible {
+            return None;
+        }
+        let to_first = |sum: &Sum| letters.to_order(sum, first);
+        let displacement = to_first(&solved.displacements[0]);
+        let rate = to_first(&solved.rates[0]);
+        let velocity = forced.rate_of_change(&displacement, std::slice::from_ref(&rate), first);
+        let motion = [&displacement, &velocity].map(|sum| letters.of_order(sum, first));
+        let changed = |term: &SmallForceTerm| {
+            let powers = forced.powers(
+                std::slice::from_ref(&displacement),
+                std::slice::from_ref(&velocity),
+                order + 1,
+            );
+            letters.of_order(&forced.product(term, &powers, order), order)
+        };
+        let names = [format!("{}_1", written.variable), "v_1".to_owned()];
+        let early = || forced.terms[0].iter().filter(|term| term.order == first);
+        let is_moving = |term: &&SmallForceTerm| term.powers[0] != [0, 0];
+        let changes = early()
+            .filter(is_moving)
+            .map(|term| {
+                let force = |written: &Written<'_>| change(written, term, &names);
+                written.term(&force, &changed(term), true)
+            })
+            .collect();
+        let forcing = early().fold(letters.zero(), |sum, term| {
+            let along = forced.along(&solved.displacements[0], term);
+            letters.add(&sum, &letters.part(&along, |powers| !written.is_resonant(powers)))
+        });
+        let products = (lowest == first).then(|| {
+            let parts = PhaseSum::parts(letters, &products(forced, &rate, order));
+            parts.map(|part| part.text(letters, |k| multiple(k, written.phase())))
+        });
+        let in_both = |sum: Sum| written.both(&[sum, letters.zero()]).map(|[text, _]| text);
+        Some(Self {
+            order: usize::try_from(first).unwrap_or(0),
+            terms: written.terms(solved, first..=first),
+            changes,
+            names,
+            motion: written.both(&motion),
+            wave_velocity: in_both(forced.velocity(&motion[0])),
+            forcing: in_both(forcing),
+            products,
+        })
+    }
+}
+
+/// The derivatives of a product with respect to displacement and velocity, each times its change.
+fn change(written: &Written<'_>, term: &SmallForceTerm, names: &[String; 2]) -> String {
+    let letters = written.forced.letters;
+    let mut text = String::new();
+    for (which, name) in names.iter().enumerate() {
+        let mut powers = term.powers[0];
+        let Some(lower) = powers[which].checked_sub(1) else { continue };
+        let exponent = i64::try_from(powers[which]).unwrap_or(0);
+        powers[which] = lower;
+        let coefficient = letters.scaled(&term.coefficient, &Rational::from(exponent));
+        let product = written.product(&coefficient, powers, term.signs, Some(name));
+        append_term(&mut text, &product);
+    }
+    text
+}
+
+/// The parts of x″ + ω0²·x that are of second order in the rates, in powers of e^{iφ}: those in phase with the oscillation are real, and with a minus
+/// those of its quadrature imaginary.
+fn products(forced: &Forced<'_>, rate: &Sum, order: i64) -> Sum {
+    let letters = forced.letters;
+    let acceleration = forced.rate_of_change(rate, std::slice::from_ref(rate), order);
+    let ratio = Rational::new(forced.harmonics[0], forced.drive_harmonic);
+    let detuning = letters.scaled(&forced.detuning, &ratio.unwrap_or_else(|| Rational::from(0)));
+    let twice = letters.scaled(&letters.power(Column::Imaginary, 1), &Rational::from(2));
+    let mixed = letters.times(&letters.times(&twice, &detuning), &turned(letters, rate));
+    let square = letters.times(&letters.times(&detuning, &detuning), &amplitude(letters));
+    letters.subtract(&letters.add(&turned(letters, &acceleration), &mixed), &square)
+}
+
+fn amplitude(letters: &Letters) -> Sum {
+    letters.power(Column::Amplitude, 1)
+}
