@@ -72,7 +72,7 @@ pub(super) fn products(
     let is_turned = first.depends_on_phase()?;
     let parameters = [&*a.letter, &*phi.letter];
     let parameters = if is_turned { &parameters[..] } else { &parameters[..1] };
-    let trials = with_functions(first, subject.trials.clone(), parameters)?;
+    let mut trials = with_functions(first, subject.trials.clone(), parameters)?;
     let names = functions(first);
     let at = |name: &str| match is_turned {
         true => apply(name, [Formula::from(&a), Formula::from(&phi)]),
@@ -91,21 +91,32 @@ pub(super) fn products(
         None => turn.clone(),
     };
     let (one, two) = (|name: &Name| name.clone().prime(), |name: &Name| name.clone().prime().prime());
-    let detuned = bracketed(Formula::from(one(&psi)) - subject.omega0()?);
+    let omega = subject.omega0()?;
+    let detuned = bracketed(Formula::from(one(&psi)) - omega.clone());
     let [a_itself, growing] = [Formula::from(&a), Formula::from(one(&a))];
     let in_phase = Formula::from(two(&a)) - a_itself.clone() * detuned.clone().squared();
     let across = number(2) * growing * detuned + a_itself.clone() * Formula::from(two(&psi));
-    let by_rates = [
-        chained(names[0]) - a_itself.clone() * excess.clone().squared(),
-        number(2) * growth.clone() * excess.clone() + a_itself.clone() * bracketed(chained(names[1])),
-    ];
     let mut step = DerivationStep::new("products", "The products of the rates").say(
         "In the next order the products count that the left side of the equation of motion left out: {} in front of {}, and {} with a minus in front of {}. With {} and {} for the right sides just found, \
-         the second derivatives follow by the chain rule, and the two are",
-        [in_phase, cosine(), across, sin(Name::new("ψ")), growth.clone(), turn.clone()],
+         the chain rule gives the second derivatives",
+        [in_phase.clone(), cosine(), across.clone(), sin(Name::new("ψ")), growth.clone(), turn.clone()],
     );
-    for (by_rates, product) in by_rates.into_iter().zip(products) {
-        step = step.show(trials.compare_choices(Statement::equal(by_rates, first.formula(product)?))?);
+    for (second, name) in [two(&a), two(&psi)].iter().zip(names) {
+        trials.define(second, chained(name))?;
+        step = step.show(CheckedEquation::definition(Statement::equal(second, chained(name))));
+    }
+    let difference = first.formula(&products.excess)?;
+    let at_first =
+        trials.with(&one(&a), growth.clone())?.with(&one(&psi), omega.clone() + difference.clone())?;
+    if difference != excess {
+        let rate = Statement::equal(Formula::from(one(&psi)) - omega, excess.clone()).and_equal(difference);
+        step = step
+            .say("The difference of the phase is by the definition of its detuning", [])
+            .show(at_first.compare_choices(rate)?);
+    }
+    step = step.say("So the products are", []);
+    for (side, product) in [(in_phase, &products.in_phase), (across, &products.across)] {
+        step = step.show(at_first.compare_choices(Statement::equal(side, first.formula(product)?))?);
     }
     let [_, change] = &before.motion[1];
     if change.is_empty() || !changes_velocity(before) {

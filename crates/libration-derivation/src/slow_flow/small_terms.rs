@@ -8,7 +8,7 @@ use super::super::formula::{
 use super::super::trials::Trials;
 use super::subject::{SlowFlowSubject, cosine};
 use libration::expression::{Expression, Symbol};
-use libration::perturbation::SmallTerm;
+use libration::perturbation::{RateProducts, SmallTerm};
 
 fn sine() -> Formula {
     sin(Name::new("ψ"))
@@ -164,7 +164,7 @@ fn kinked(
 pub(super) fn averaged(
     subject: &SlowFlowSubject,
     terms: &[&SmallTerm],
-    products: Option<&[String; 2]>,
+    products: Option<&RateProducts>,
 ) -> Result<DerivationStep, DerivationError> {
     let (a, phi) = (subject.amplitude(), subject.phase());
     let (growth, turn) = (a.clone().prime(), phi.clone().prime());
@@ -182,16 +182,17 @@ pub(super) fn averaged(
         }
         Ok(if all.is_empty() { number(0) } else { sum(all) })
     };
-    let of_second_order = |which: usize| -> Result<Option<Expression>, DerivationError> {
-        let read = products.map(|products| subject.read(&products[which])).transpose()?;
-        Ok(read.filter(|product| !product.vanishes()))
-    };
+    let of_second_order =
+        |which: fn(&RateProducts) -> &String| -> Result<Option<Expression>, DerivationError> {
+            let read = products.map(|products| subject.read(which(products))).transpose()?;
+            Ok(read.filter(|product| !product.vanishes()))
+        };
     let mut by_cosine = -subject.times_omega0(2, 1, Formula::from(&a) * excess.clone())?;
-    if let Some(product) = of_second_order(0)? {
+    if let Some(product) = of_second_order(|products| &products.in_phase)? {
         by_cosine = by_cosine + subject.written(&product);
     }
     let mut by_sine = -subject.times_omega0(2, 1, Formula::from(&growth))?;
-    if let Some(product) = of_second_order(1)? {
+    if let Some(product) = of_second_order(|products| &products.across)? {
         by_sine = by_sine + subject.written(&product).negated();
     }
     let by_cosine = Statement::equal(by_cosine, factors(0)?);
@@ -210,7 +211,7 @@ pub(super) fn averaged(
             ],
         ),
         Some(_) => DerivationStep::new("second-slow-flow", "The slow flow to the second order").say(
-            "With the products of the rates, and the terms of both orders, what stands before {} is, and what stands before {},",
+            "With these products on the left, and the small terms of both orders on the right, {} has the same factor on both sides, and so has {}:",
             [cosine(), sine()],
         ),
     };

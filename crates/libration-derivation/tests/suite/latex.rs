@@ -30,6 +30,7 @@ fn derivations() -> Vec<(&'static str, Derivation)> {
         ("averaging", averaging(&damped, None, 3, 2, &Quiet).unwrap()),
         ("rubbing", averaging(&rubbed, None, 3, 1, &Quiet).unwrap()),
         ("driven", crate::symbolic_slow_flow::duffing()),
+        ("second-order", crate::symbolic_slow_flow::second_order()),
         ("limit-cycle", limit_cycle(&excited, None, 3, &Quiet).unwrap()),
     ];
     let exercises: Vec<_> =

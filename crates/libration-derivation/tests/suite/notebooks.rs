@@ -31,6 +31,7 @@ fn derivations() -> Vec<(String, Derivation)> {
         ("velocity".to_owned(), derived("x'' + w^2*x + a*x*x'^2 + b*x^3 = 0", 5)),
         ("two-sided".to_owned(), derived("x'' + x + x*abs(x) = 0", 4)),
         ("driven".to_owned(), crate::symbolic_slow_flow::duffing()),
+        ("second-order".to_owned(), crate::symbolic_slow_flow::second_order()),
         ("rubbing".to_owned(), averaging(&rubbed, None, 2, 1, &Quiet).unwrap()),
     ];
     for order in 1..=5 {

@@ -98,6 +98,11 @@ fn derived_to((case, order): &CaseOfOrder) -> Result<Derivation, DerivationError
     slow_flow(&text.parse().unwrap(), &options, &Quiet)
 }
 
+/// A slow flow of both orders, with products of its rates.
+pub(crate) fn second_order() -> Derivation {
+    derived_to(&HIGHER[4]).unwrap()
+}
+
 /// The formula of a result as the derivation writes it.
 fn latex(text: &str) -> String {
     let greek = libration::expression::Expression::Symbol(libration::expression::Symbol::plain("epsilon"));

@@ -67,9 +67,9 @@ pub use restoring_force::restoring_force;
 pub(crate) use slow_flow::FirstOrder;
 pub use slow_flow::{
     AmplitudeInTime, CoordinateFlow, CoupledSlowFlow, EarlierOrder, JudgedState, LeftOutReason,
-    MAX_PARAMETER_ORDER, MAX_SLOW_ORDER, MAX_SYMBOLIC_SLOW_ORDER, PhaseInTime, PhaseTerm, ResponseSteps,
-    SlowFlow, SlowFlowAt, SlowFlowError, SlowFlowSteps, SlowLimitCycle, SlowSeries, SmallTerm, StateLeftOut,
-    SteadySolution, SteadyState, SteadyStates, SymbolicSlowFlow, SymbolicSlowFlowError,
+    MAX_PARAMETER_ORDER, MAX_SLOW_ORDER, MAX_SYMBOLIC_SLOW_ORDER, PhaseInTime, PhaseTerm, RateProducts,
+    ResponseSteps, SlowFlow, SlowFlowAt, SlowFlowError, SlowFlowSteps, SlowLimitCycle, SlowSeries, SmallTerm,
+    StateLeftOut, SteadySolution, SteadyState, SteadyStates, SymbolicSlowFlow, SymbolicSlowFlowError,
     SymbolicSlowFlowOptions, WeakForce, coupled_slow_flow, drive_symbol, next_slow_flow, slow_flow,
     slow_flow_steps, slow_flow_symbolically,
 };

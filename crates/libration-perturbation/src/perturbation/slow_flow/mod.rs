@@ -68,8 +68,8 @@ pub use error::{MAX_PARAMETER_ORDER, MAX_SLOW_ORDER, SlowFlowError};
 pub use limit_cycle::SlowLimitCycle;
 pub use symbolic::{
     AmplitudeInTime, CoordinateFlow, CoupledSlowFlow, EarlierOrder, JudgedState, LeftOutReason,
-    MAX_SYMBOLIC_SLOW_ORDER, PhaseInTime, ResponseSteps, SlowFlowAt, SlowFlowSteps, SmallTerm, StateLeftOut,
-    SteadySolution, SteadyState, SteadyStates, SymbolicSlowFlow, SymbolicSlowFlowError,
+    MAX_SYMBOLIC_SLOW_ORDER, PhaseInTime, RateProducts, ResponseSteps, SlowFlowAt, SlowFlowSteps, SmallTerm,
+    StateLeftOut, SteadySolution, SteadyState, SteadyStates, SymbolicSlowFlow, SymbolicSlowFlowError,
     SymbolicSlowFlowOptions, coupled_slow_flow, drive_symbol, next_slow_flow, slow_flow_steps,
     slow_flow_symbolically,
 };

@@ -52,7 +52,7 @@ pub use coupled::{CoordinateFlow, CoupledSlowFlow, coupled_slow_flow};
 pub use error::{MAX_SYMBOLIC_SLOW_ORDER, SymbolicSlowFlowError};
 pub use evaluation::{SlowFlowAt, SteadySolution};
 pub use result::SymbolicSlowFlow;
-pub use second_order::EarlierOrder;
+pub use second_order::{EarlierOrder, RateProducts};
 pub use small_terms::SmallTerm;
 pub use states::{JudgedState, LeftOutReason, StateLeftOut, SteadyStates};
 pub use steady_state::SteadyState;

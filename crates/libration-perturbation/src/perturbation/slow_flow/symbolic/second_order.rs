@@ -1,9 +1,9 @@
 //! The second approximation of a slow flow: what the waves that the small terms force, and the changes of amplitude and phase, make of these terms.
 
-use super::letters::{Column, Letters, Sum};
+use super::letters::{Column, Sum};
 use super::phase_sums::{PhaseSum, append_term};
 use super::result::turned;
-use super::scales::{Forced, SmallForceTerm, Solved};
+use super::scales::{SmallForceTerm, Solved};
 use super::small_terms::{SmallTerm, Written, multiple};
 use libration_numbers::algebra::Rational;
 
@@ -24,8 +24,19 @@ pub struct EarlierOrder {
     pub wave_velocity: [String; 2],
     /// What forces the change of the displacement: the waves of the terms with other frequencies, in both forms.
     pub forcing: [String; 2],
-    /// A″ − A·(ψ′ − ω0)² and 2·A′·(ψ′ − ω0) + A·ψ″ by the rates of this order; `None` if amplitude and phase do not change in this order.
-    pub products: Option<[String; 2]>,
+    /// Products of the rates of this order; `None` if amplitude and phase do not change in this order.
+    pub products: Option<RateProducts>,
+}
+
+/// What is of the first and second order in the rates on the left side of the equation of motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RateProducts {
+    /// ψ′ − ω0.
+    pub excess: String,
+    /// A″ − A·(ψ′ − ω0)².
+    pub in_phase: String,
+    /// 2·A′·(ψ′ − ω0) + A·ψ″.
+    pub across: String,
 }
 
 impl EarlierOrder {
@@ -74,10 +85,7 @@ impl EarlierOrder {
             let along = forced.along(&solved.displacements[0], term);
             letters.add(&sum, &letters.part(&along, |powers| !written.is_resonant(powers)))
         });
-        let products = (lowest == first).then(|| {
-            let parts = PhaseSum::parts(letters, &products(forced, &rate, order));
-            parts.map(|part| part.text(letters, |k| multiple(k, written.phase())))
-        });
+        let products = (lowest == first).then(|| RateProducts::new(written, &rate, order));
         let in_both = |sum: Sum| written.both(&[sum, letters.zero()]).map(|[text, _]| text);
         Some(Self {
             order: usize::try_from(first).unwrap_or(0),
@@ -108,19 +116,26 @@ fn change(written: &Written<'_>, term: &SmallForceTerm, names: &[String; 2]) -> 
     text
 }
 
-/// The parts of x″ + ω0²·x that are of second order in the rates, in powers of e^{iφ}: those in phase with the oscillation are real, and with a minus
-/// those of its quadrature imaginary.
-fn products(forced: &Forced<'_>, rate: &Sum, order: i64) -> Sum {
-    let letters = forced.letters;
-    let acceleration = forced.rate_of_change(rate, std::slice::from_ref(rate), order);
-    let ratio = Rational::new(forced.harmonics[0], forced.drive_harmonic);
-    let detuning = letters.scaled(&forced.detuning, &ratio.unwrap_or_else(|| Rational::from(0)));
-    let twice = letters.scaled(&letters.power(Column::Imaginary, 1), &Rational::from(2));
-    let mixed = letters.times(&letters.times(&twice, &detuning), &turned(letters, rate));
-    let square = letters.times(&letters.times(&detuning, &detuning), &amplitude(letters));
-    letters.subtract(&letters.add(&turned(letters, &acceleration), &mixed), &square)
-}
-
-fn amplitude(letters: &Letters) -> Sum {
-    letters.power(Column::Amplitude, 1)
+impl RateProducts {
+    /// With u = A·e^{iφ} and d = ψ′ − ω0 − φ′, x″ + ω0²·x is the real part of (u″ + 2i·(ω0 + d)·u′ − (2ω0·d + d²)·u)·e^{i(ψ − φ)}.
+    fn new(written: &Written<'_>, rate: &Sum, order: i64) -> Self {
+        let forced = written.forced;
+        let letters = forced.letters;
+        let acceleration = forced.rate_of_change(rate, std::slice::from_ref(rate), order);
+        let ratio = Rational::new(forced.harmonics[0], forced.drive_harmonic);
+        let detuning = letters.scaled(&forced.detuning, &ratio.unwrap_or_else(|| Rational::from(0)));
+        let rate = turned(letters, rate);
+        let twice = letters.scaled(&letters.power(Column::Imaginary, 1), &Rational::from(2));
+        let mixed = letters.times(&letters.times(&twice, &detuning), &rate);
+        let amplitude = letters.power(Column::Amplitude, 1);
+        let square = letters.times(&letters.times(&detuning, &detuning), &amplitude);
+        let products = letters.subtract(&letters.add(&turned(letters, &acceleration), &mixed), &square);
+        let [in_phase, across] = PhaseSum::parts(letters, &products);
+        let detuned =
+            letters.times(&letters.power(Column::Imaginary, 1), &letters.times(&detuning, &amplitude));
+        let [_, turning] = PhaseSum::parts(letters, &letters.add(&rate, &detuned));
+        let excess = turning.times(letters, &letters.power(Column::Amplitude, -1));
+        let text = |sum: &PhaseSum| sum.text(letters, |k| multiple(k, written.phase()));
+        Self { excess: text(&excess), in_phase: text(&in_phase), across: text(&across) }
+    }
 }
