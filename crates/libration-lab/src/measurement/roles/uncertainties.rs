@@ -6,8 +6,8 @@ use crate::measurement::heading::words::{is_deviation, without_uncertainty};
 use crate::measurement::{Choice, MeasurementError, Role, Suggestion};
 
 impl RoleSearch<'_> {
-    /// Assigns columns of uncertainties to quantities: `±` to the column before it, or to the last one before it that has none yet; `u(T)` and `dT`
-    /// to that of the same name; `T uncertainty` to the only one of which it can be the symbol or the initial. Of two for one quantity the first is
+    /// Assigns columns of uncertainties to quantities: `±` to the column before it, or to the last one before it that has none yet, or to that
+    /// of its unit; `u(T)` and `dT` to that of the same name; `T uncertainty` to the only one of which it can be the symbol or the initial. Of two for one quantity the first is
     /// taken. Repeated readings have the uncertainty of their scatter.
     pub(super) fn assign_uncertainties(&mut self) -> Result<(), MeasurementError> {
         let columns: Vec<usize> =
@@ -78,13 +78,24 @@ impl RoleSearch<'_> {
                 .filter(|&index| matches!(self.kinds[index], Kind::Values | Kind::Means | Kind::Squares))
         };
         let heading = self.heading(column);
-        let before = values().find(|value| value + 1 == column);
+        // `None` for an uncertainty with a unit and values without one.
+        let fits = |value: &usize| match (heading.unit, &self.heading(*value)) {
+            (Some(unit), of) if of.unit.is_some() => Some(of.unit.is_some_and(|of| unit.measures_as(of))),
+            (Some(_), of) if of.unit_text.is_none() => None,
+            _ => Some(true),
+        };
+        let before = values().find(|value| value + 1 == column && fits(value) != Some(false));
         if heading.is_bare_uncertainty() {
-            // A bare one after those of other columns is of the last column that has none.
-            let is_open = |value: &usize| {
-                *value < column && self.quantity_of(*value).is_some_and(|of| !self.has_uncertainties(of))
+            // A bare one after those of other columns is of the last column that has none, unless its unit is that of another one only.
+            let is_open =
+                |value: &usize| self.quantity_of(*value).is_some_and(|of| !self.has_uncertainties(of));
+            let mut earlier =
+                values().filter(|value| *value < column && is_open(value) && fits(value) != Some(false));
+            let before = before.or_else(|| earlier.next_back());
+            let of_unit = || {
+                heading.unit.and_then(|_| values().find(|value| is_open(value) && fits(value) == Some(true)))
             };
-            return before.or_else(|| values().rfind(is_open));
+            return before.filter(|value| fits(value).is_some()).or_else(of_unit).or(before);
         }
         let same = || values().filter(|&value| heading.is_of_the_same(self.heading(value)));
         // T may be a period next to times t.

@@ -58,6 +58,12 @@ fn uncertainties_go_with_the_values_that_their_headings_name() {
         ("x,y,xerr,yerr", [(1, Some(3)), (2, Some(4))]),
         ("x,dx,y,dy", [(1, Some(2)), (3, Some(4))]),
         ("L,T,SD", [(1, None), (2, Some(3))]),
+        // Units distinguish those without a name.
+        ("L,sigma (s),T (s)", [(1, None), (3, Some(2))]),
+        ("T (s),± (mm),L (cm)", [(3, Some(2)), (1, None)]),
+        ("L (m),T (s),± (s),± (cm)", [(1, Some(4)), (2, Some(3))]),
+        ("L (m),T,± (s)", [(1, None), (2, Some(3))]),
+        ("L (m),± (s),T", [(1, None), (3, None)]),
         ("L,T,u (s)", [(1, None), (2, Some(3))]),
         ("L (m),mean T (s),standard deviation (s)", [(1, None), (2, Some(3))]),
         ("L (m),T mean (s),s.e.m. (s)", [(1, None), (2, Some(3))]),
