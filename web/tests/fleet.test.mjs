@@ -56,7 +56,7 @@ test("with the mouse: two thousand double pendulums run, stand, step, and begin 
     await room.waitForFunction(() => location.hash.includes("time="));
     const stands = time(room);
     assert.ok(stands > 0.2, `${stands}`);
-    await room.getByRole("button", { name: "Step the ensemble" }).click();
+    await room.getByRole("button", { name: "Advance by one frame" }).click();
     await room.waitForFunction((before) => !location.hash.includes(`time=${before}`), stands);
     assert.ok(Math.abs(time(room) - stands - 1 / 30) < 1e-9);
     await room.getByText("Equivalent command").click();
@@ -90,7 +90,7 @@ test("a driven ensemble has its section, and one without bodies its states only"
     const picture = (name) => room.locator(".fleet figure", { hasText: name });
     await says(room, "50 motions");
     assert.ok(await picture("Stroboscopic section, once per period of the drive").isVisible());
-    assert.match(await picture("Bodies").locator("canvas").getAttribute("aria-label"), /50 motions at t = 0 s/);
+    assert.match(await picture("Picture of the motions").locator("canvas").getAttribute("aria-label"), /50 motions at t = 0 s/);
     await visit(`chaos?system=lorenz&set=&initial=x%3D1,y%3D1,z%3D1;x%3D1.001,y%3D1,z%3D1&at=z-27&motions=40&${REST}`, async (other) => {
       await says(other, "40 motions");
       assert.deepEqual(await other.locator(".fleet figure:visible figcaption").allTextContents(), ["Current states", "Distance between motions"]);

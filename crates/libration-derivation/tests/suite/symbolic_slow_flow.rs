@@ -87,6 +87,12 @@ const HIGHER: &[CaseOfOrder] = &[
     (("x'' + c*x' + sin(x) = F*cos(W*t)", Some((1, 1)), &[("c", 2), ("F", 3)]), 3),
     (("x'' + c*x' + sin(x) = F*cos(W*t)", Some((1, 1)), &[("c", 2), ("F", 2)]), 4),
     (("x'' + w^2*x + m*x' + n*x'^3 = 0", None, &[("m", 2), ("n", 3)]), 3),
+    (("x'' + eps*(c*x' + a*x^3) + w^2*x + eps*h*W^2*cos(W*t)*x = 0", Some((2, 1)), &[]), 2),
+    (("x'' + 2*eps*mu*x' + w0^2*x + eps*a*x^3 = eps*(F*cos(W*t) + K*sin(W*t))", Some((1, 1)), &[]), 2),
+    (("x'' + 2*eps*mu*x' + w0^2*x + eps*a*x^2 = eps*F*cos(1.05*t)", Some((1, 1)), &[]), 2),
+    (("x'' + eps*(1 + eps)*c*x' + x + eps*a*x^2 = eps*cos(W*t)", Some((1, 1)), &[]), 2),
+    (("k*v'' + eps*c*v'^3 + q*v + eps*a*v^2 = 0", None, &[]), 2),
+    (("x'' + eps*c*x' + w^2*(1 + eps*d)*x + eps*a*x^5 = 0", None, &[]), 2),
 ];
 
 /// Quadratic and cubic terms together.

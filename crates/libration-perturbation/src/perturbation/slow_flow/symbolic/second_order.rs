@@ -71,7 +71,8 @@ impl EarlierOrder {
             );
             letters.of_order(&forced.product(term, &powers, order), order)
         };
-        let names = [format!("{}_1", written.variable), "v_1".to_owned()];
+        let velocity_name = if written.variable == "v" { "u_1" } else { "v_1" };
+        let names = [format!("{}_1", written.variable), velocity_name.to_owned()];
         let early = || forced.terms[0].iter().filter(|term| term.order == first);
         let is_moving = |term: &&SmallForceTerm| term.powers[0] != [0, 0];
         let changes = early()
