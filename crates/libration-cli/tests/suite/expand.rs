@@ -572,6 +572,11 @@ fn slow_flows_that_cannot_be_are_refused() {
         let message = refusal(arguments, status);
         assert!(message.contains(expected), "{arguments:?}: {message}");
     }
+    // No hint to what was tried in vain.
+    for equation in ["x''+x+c*x*sign(x')=0", "x''+mu*x'+log(2+x')*x=0"] {
+        let message = refusal(&["expand", equation], 1);
+        assert!(message.contains("libration simulate") && !message.contains("--damping-order"), "{message}");
+    }
 }
 
 /// Sources: dry friction takes 4cA per swing from the energy A²/2, so that A′ = −2c/π; for −c·x′|x′|, A′ = −4cA²/3π; for the last case see the

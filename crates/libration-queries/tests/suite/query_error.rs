@@ -40,7 +40,7 @@ const REFUSED: &[(&[&str], &[&str], bool)] = &[
     (&["period", "60deg", "--length", "-1m"], &["length"], false),
     (&["motion", "60deg", "--times", "1:0:1"], &["times"], false),
     (&["expand", "x'' + 2*x + abs(x) = 0"], &[], true),
-    (&["expand", "x'' - mu*(1-x^2)*x' + x + x^3 = 0"], &[], true),
+    (&["expand", "x'' + x + c*x*sign(x') = 0"], &[], true),
     (&["expand", "x''+0.1*x'+x=0"], &[], true),
     (&["expand", "x''+x=cos(t)"], &[], true),
     (&["expand", "x''+y=0;y''+x=0"], &[], true),

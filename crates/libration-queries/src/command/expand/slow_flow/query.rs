@@ -5,6 +5,7 @@ use crate::arguments::Asked;
 use crate::call;
 use crate::command::expand::{Expand, Format, LISTED};
 use crate::query_error::{QueryError, option};
+use libration::oscillator::Remedy;
 use libration::perturbation::Gauge;
 use std::io::Write;
 
@@ -24,7 +25,8 @@ impl Expand {
         match self.oscillator.asked().and_then(|asked| self.answer_slow_flow(&mut answer, asked)) {
             Ok(()) => {}
             Err(interrupted) if interrupted.is_cancelled() => return Err(interrupted),
-            Err(_) => return self.symbolic_flow_or(out, refused),
+            // A hint to the slow flow would be false.
+            Err(_) => return self.symbolic_flow_or(out, refused.with_remedies(&[Remedy::Simulation])),
         }
         call::current().note(
             "there is no expansion as a limit cycle; this is the slow flow (<--damping-order>), with the rate of the amplitude",
