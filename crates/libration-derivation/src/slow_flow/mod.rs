@@ -32,7 +32,7 @@ use subject::SlowFlowSubject;
 ///
 /// # Examples
 /// ```
-/// use libration::perturbation::{EarlierOrder, SmallTerm, SymbolicSlowFlowOptions};
+/// use libration::perturbation::SymbolicSlowFlowOptions;
 /// use libration::progress::Quiet;
 /// use libration_derivation::{slow_flow, to_markdown};
 /// let equation = "x'' + 2*eps*mu*x' + w0^2*x + eps*a*x^3 = eps*F*cos(W*t)".parse()?;
@@ -56,7 +56,7 @@ pub fn slow_flow(
     match &subject.steps.before {
         None => {
             steps.push(small_terms::step(&subject, &subject.steps.terms)?);
-            steps.push(small_terms::averaged(&subject, &own, None)?);
+            steps.push(small_terms::averaged(&subject, &own)?);
         }
         Some(before) => steps.extend(second_order(&subject, before, (equation, options, progress))?),
     }
@@ -93,18 +93,18 @@ fn second_order(
         steps.extend(second_order::forced_waves(subject, before)?);
         steps.push(second_order::changed_terms(subject, before)?);
         let acting: Vec<&SmallTerm> = changes.collect();
-        steps.push(small_terms::averaged(subject, &acting, None)?);
+        steps.push(small_terms::averaged(subject, &acting)?);
         return Ok(steps);
     };
     let options = SymbolicSlowFlowOptions { order: Some(before.order), ..options.clone() };
     let first = SlowFlowSubject::new(equation, &options, progress)?;
     let own: Vec<&SmallTerm> = first.steps.terms.iter().collect();
-    steps.push(small_terms::averaged(&first, &own, None)?);
+    steps.push(small_terms::averaged(&first, &own)?);
     steps.extend(second_order::forced_waves(subject, before)?);
-    steps.extend(second_order::products(subject, &first, before)?);
+    steps.push(second_order::rate_products(subject, &first, (before, products))?);
     steps.push(second_order::changed_terms(subject, before)?);
     let acting: Vec<&SmallTerm> = before.terms.iter().chain(changes).collect();
-    steps.push(small_terms::averaged(subject, &acting, Some(products))?);
+    steps.push(second_order::averaged(subject, &acting, products)?);
     Ok(steps)
 }
 

@@ -79,15 +79,18 @@ fn smallness(subject: &SlowFlowSubject) -> Prose {
                     prose = prose.and(Prose::text(format!(" of order {order}")));
                 }
             }
-            let rest = match by_amplitude {
+            let amplitude = match by_amplitude {
                 true => {
-                    "; the nonlinear terms without them are small because the amplitude is, a term of the third degree by the square of the amplitude. What follows is to the lowest order."
+                    "; the nonlinear terms without them are small because the amplitude is, a term of the third degree by the square of the amplitude"
                 }
-                false if has_two_orders => {
-                    ". What follows is to the highest of these orders, or that of products of two terms."
-                }
-                false => ". What follows is to the lowest order that changes amplitude or phase.",
+                false => "",
             };
+            let order = match (has_two_orders, by_amplitude) {
+                (true, _) => "highest of these orders, or that of products of two terms",
+                (false, true) => "lowest order",
+                (false, false) => "lowest order that changes amplitude or phase",
+            };
+            let rest = format!("{amplitude}. What follows is to the {order}.");
             prose.and(Prose::text(rest))
         }
     }

@@ -4,10 +4,11 @@ use super::super::check::{CheckedEquation, DerivationError};
 use super::super::document::DerivationStep;
 use super::super::formula::{Formula, Name, Statement, apply, cos, derivative, number, sin, sum};
 use super::super::prose::Prose;
-use super::small_terms::one_term;
+use super::super::trials::Trials;
+use super::small_terms::{left_sides, one_term, solved};
 use super::steady::{functions, with_functions};
 use super::subject::{SlowFlowSubject, cosine};
-use libration::perturbation::EarlierOrder;
+use libration::perturbation::{EarlierOrder, RateProducts, SmallTerm};
 
 /// The waves of other frequencies that the small terms force; `None` if there are none.
 pub(super) fn forced_waves(
@@ -22,14 +23,14 @@ pub(super) fn forced_waves(
     let slope = subject.formula(&before.wave_velocity[1])?;
     let turned = |of: Formula| subject.times_omega0(1, 1, derivative(of, "ψ"));
     let derived = turned(subject.formula(waves)?)?;
-    let is_velocity = before.products.is_none() && changes_velocity(before);
+    let is_velocity = before.products.is_none() && changes_velocity(subject, before)?;
     let velocity = match is_velocity {
         true => Statement::equal(&change, derived).and_equal(slope.clone()),
         false => Statement::equal(derived, slope.clone()),
     };
     let spring = subject.times_omega0(1, 2, Formula::from(&displacement))?;
     let forcing = subject.formula(&before.forcing[1])?;
-    let balance = Statement::equal(turned(bracketed(slope))? + spring, forcing);
+    let balance = Statement::equal(turned(slope)? + spring, forcing);
     let definition = Statement::defined(&displacement, subject.formula(&before.motion[0][0])?);
     let nu = Name::new("ν");
     let step = DerivationStep::new("forced-waves", "The waves that the small terms force")
@@ -50,66 +51,78 @@ pub(super) fn forced_waves(
 }
 
 /// `true` if terms change with the velocity.
-fn changes_velocity(before: &EarlierOrder) -> bool {
-    before.changes.iter().any(|term| term.force[0].contains(&before.names[1]))
+fn changes_velocity(subject: &SlowFlowSubject, before: &EarlierOrder) -> Result<bool, DerivationError> {
+    for term in &before.changes {
+        if subject.read(&term.force[0])?.symbols().into_iter().any(|symbol| symbol.name == before.names[1]) {
+            return Ok(true);
+        }
+    }
+    Ok(false)
 }
 
-fn bracketed(formula: Formula) -> Formula {
-    match formula {
-        Formula::Sum(_) => formula,
-        one => Formula::Sum(vec![one]),
+/// The right sides of the slow flow of the first order as functions of amplitude and phase, or of the amplitude if they contain no phase.
+struct FirstRates<'a> {
+    first: &'a SlowFlowSubject,
+    /// Values of all symbols of both orders, and the functions.
+    trials: Trials,
+    /// ∂/∂A and ∂/∂φ, as far as they are not zero, with the rates of both.
+    directions: Vec<(Name, Formula)>,
+    at: [Formula; 2],
+}
+
+impl<'a> FirstRates<'a> {
+    fn new(subject: &SlowFlowSubject, first: &'a SlowFlowSubject) -> Result<Self, DerivationError> {
+        let mut names = vec![first.amplitude()];
+        if first.depends_on_phase()? {
+            names.push(first.phase());
+        }
+        let parameters: Vec<&str> = names.iter().map(|name| &*name.letter).collect();
+        let trials = with_functions(first, subject.trials.clone(), &parameters)?;
+        let at = functions(first).map(|name| match &names[..] {
+            [a, phi] => apply(name, [Formula::from(a), Formula::from(phi)]),
+            _ => apply(name, [Formula::from(&names[0])]),
+        });
+        let directions = names.into_iter().zip(at.clone()).collect();
+        Ok(Self { first, trials, directions, at })
+    }
+
+    /// The derivative of one of both with respect to the time, by the chain rule.
+    fn derived(&self, of: &Formula) -> Formula {
+        let along = |(name, rate): &(Name, Formula)| derivative(of.clone(), &name.letter) * rate.clone();
+        sum(self.directions.iter().map(along).collect())
     }
 }
 
 /// The products of the rates that the lowest order leaves out, and the change of the velocity.
-pub(super) fn products(
+pub(super) fn rate_products(
     subject: &SlowFlowSubject,
     first: &SlowFlowSubject,
-    before: &EarlierOrder,
-) -> Result<Option<DerivationStep>, DerivationError> {
-    let Some(products) = &before.products else { return Ok(None) };
-    let (a, phi, psi) = (first.amplitude(), first.phase(), Name::new("ψ"));
-    let is_turned = first.depends_on_phase()?;
-    let parameters = [&*a.letter, &*phi.letter];
-    let parameters = if is_turned { &parameters[..] } else { &parameters[..1] };
-    let mut trials = with_functions(first, subject.trials.clone(), parameters)?;
-    let names = functions(first);
-    let at = |name: &str| match is_turned {
-        true => apply(name, [Formula::from(&a), Formula::from(&phi)]),
-        false => apply(name, [Formula::from(&a)]),
-    };
-    let [growth, turn] = names.map(at);
-    let chained = |name: &str| {
-        let along = derivative(at(name), &a.letter) * growth.clone();
-        match is_turned {
-            true => along + derivative(at(name), &phi.letter) * turn.clone(),
-            false => along,
-        }
-    };
-    let excess = match first.turning()? {
-        Some(turning) => bracketed(turning + turn.clone()),
-        None => turn.clone(),
-    };
+    (before, products): (&EarlierOrder, &RateProducts),
+) -> Result<DerivationStep, DerivationError> {
+    let mut rates = FirstRates::new(subject, first)?;
+    let [growth, turn] = rates.at.clone();
+    let (a, psi) = (first.amplitude(), Name::new("ψ"));
     let (one, two) = (|name: &Name| name.clone().prime(), |name: &Name| name.clone().prime().prime());
     let omega = subject.omega0()?;
-    let detuned = bracketed(Formula::from(one(&psi)) - omega.clone());
-    let [a_itself, growing] = [Formula::from(&a), Formula::from(one(&a))];
-    let in_phase = Formula::from(two(&a)) - a_itself.clone() * detuned.clone().squared();
-    let across = number(2) * growing * detuned + a_itself.clone() * Formula::from(two(&psi));
+    let detuned = Formula::from(one(&psi)) - omega.clone();
+    let in_phase = Formula::from(two(&a)) - Formula::from(&a) * detuned.clone().squared();
+    let across =
+        number(2) * Formula::from(one(&a)) * detuned.clone() + Formula::from(&a) * Formula::from(two(&psi));
     let mut step = DerivationStep::new("products", "The products of the rates").say(
         "In the next order the products count that the left side of the equation of motion left out: {} in front of {}, and {} with a minus in front of {}. With {} and {} for the right sides just found, \
          the chain rule gives the second derivatives",
         [in_phase.clone(), cosine(), across.clone(), sin(Name::new("ψ")), growth.clone(), turn.clone()],
     );
-    for (second, name) in [two(&a), two(&psi)].iter().zip(names) {
-        trials.define(second, chained(name))?;
-        step = step.show(CheckedEquation::definition(Statement::equal(second, chained(name))));
+    for (second, rate) in [two(&a), two(&psi)].iter().zip(&rates.at) {
+        let derived = rates.derived(rate);
+        rates.trials.define(second, derived.clone())?;
+        step = step.show(CheckedEquation::definition(Statement::equal(second, derived)));
     }
+    let excess = first.excess(turn)?;
     let difference = first.formula(&products.excess)?;
-    let at_first =
-        trials.with(&one(&a), growth.clone())?.with(&one(&psi), omega.clone() + difference.clone())?;
+    let at_first = rates.trials.with(&one(&a), growth)?.with(&one(&psi), omega + difference.clone())?;
     if difference != excess {
-        let rate = Statement::equal(Formula::from(one(&psi)) - omega, excess.clone()).and_equal(difference);
+        let rate = Statement::equal(detuned, excess).and_equal(difference);
         step = step
             .say("The difference of the phase is by the definition of its detuning", [])
             .show(at_first.compare_choices(rate)?);
@@ -118,23 +131,56 @@ pub(super) fn products(
     for (side, product) in [(in_phase, &products.in_phase), (across, &products.across)] {
         step = step.show(at_first.compare_choices(Statement::equal(side, first.formula(product)?))?);
     }
+    velocity_change(subject, before, &rates, step)
+}
+
+/// The change of the velocity by the rates of the first order and the forced waves, if a small term contains the velocity.
+fn velocity_change(
+    subject: &SlowFlowSubject,
+    before: &EarlierOrder,
+    rates: &FirstRates<'_>,
+    step: DerivationStep,
+) -> Result<DerivationStep, DerivationError> {
     let [_, change] = &before.motion[1];
-    if change.is_empty() || !changes_velocity(before) {
-        return Ok(Some(step));
+    if change.is_empty() || !changes_velocity(subject, before)? {
+        return Ok(step);
     }
-    let mut changes = vec![growth * cos(&psi), -(a_itself * excess * sin(&psi))];
+    let [growth, turn] = rates.at.clone();
+    let psi = Name::new("ψ");
+    let excess = rates.first.excess(turn)?;
+    let mut changes = vec![growth * cos(&psi), -(Formula::from(subject.amplitude()) * excess * sin(&psi))];
     if !before.wave_velocity[1].is_empty() {
         match subject.formula(&before.wave_velocity[1])? {
             Formula::Sum(terms) => changes.extend(terms),
             term => changes.push(term),
         }
     }
-    let velocity =
-        Statement::equal(subject.name(&before.names[1]), sum(changes)).and_equal(subject.formula(change)?);
-    Ok(Some(
-        step.say("The same rates change the velocity, besides the forced waves, by", [])
-            .show(trials.compare_choices(velocity)?),
-    ))
+    let name = subject.name(&before.names[1]);
+    let velocity = Statement::equal(name, sum(changes)).and_equal(subject.formula(change)?);
+    Ok(step
+        .say("The same rates change the velocity, besides the forced waves, by", [])
+        .show(rates.trials.compare_choices(velocity)?))
+}
+
+/// The slow flow by the terms of both orders, with the products of the rates.
+pub(super) fn averaged(
+    subject: &SlowFlowSubject,
+    terms: &[&SmallTerm],
+    products: &RateProducts,
+) -> Result<DerivationStep, DerivationError> {
+    let [mut before_cosine, mut before_sine] = left_sides(subject)?;
+    let [in_phase, across] = [subject.read(&products.in_phase)?, subject.read(&products.across)?];
+    if !in_phase.vanishes() {
+        before_cosine = before_cosine + subject.written(&in_phase);
+    }
+    if !across.vanishes() {
+        before_sine = before_sine + subject.written(&across).negated();
+    }
+    let step = DerivationStep::new("second-slow-flow", "The slow flow to the second order").say(
+        "With these products on the left, and the small terms of both orders on the right, {} has the same factor on both sides, and so has {}:",
+        [cosine(), sin(Name::new("ψ"))],
+    );
+    solved(subject, step, [before_cosine, before_sine], terms)
 }
 
 /// The changes of the small terms, and the terms that are of this order themselves.
@@ -143,7 +189,7 @@ pub(super) fn changed_terms(
     before: &EarlierOrder,
 ) -> Result<DerivationStep, DerivationError> {
     let changes = [(0, "the displacement"), (1, "the velocity")];
-    let is_changed = [!before.motion[0][0].is_empty(), changes_velocity(before)];
+    let is_changed = [!before.motion[0][0].is_empty(), changes_velocity(subject, before)?];
     let mut added = Prose::text(
         "Each small term of the first order changes by its derivatives times the changes of what is in it",
     );

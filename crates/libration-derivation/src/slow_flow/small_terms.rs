@@ -8,7 +8,7 @@ use super::super::formula::{
 use super::super::trials::Trials;
 use super::subject::{SlowFlowSubject, cosine};
 use libration::expression::{Expression, Symbol};
-use libration::perturbation::{RateProducts, SmallTerm};
+use libration::perturbation::SmallTerm;
 
 fn sine() -> Formula {
     sin(Name::new("ψ"))
@@ -160,71 +160,65 @@ fn kinked(
     Ok(step)
 }
 
-/// The slow flow by the terms that act in it, with what is of second order in the rates.
+/// The slow flow by the terms that act in it.
 pub(super) fn averaged(
     subject: &SlowFlowSubject,
     terms: &[&SmallTerm],
-    products: Option<&RateProducts>,
 ) -> Result<DerivationStep, DerivationError> {
-    let (a, phi) = (subject.amplitude(), subject.phase());
-    let (growth, turn) = (a.clone().prime(), phi.clone().prime());
-    let omega = subject.omega0()?;
-    let excess = subject.excess(&turn)?;
-    let factors = |wave: usize| -> Result<Formula, DerivationError> {
-        let mut all = vec![];
-        for term in terms {
-            if !subject.read(&term.resonant[wave])?.vanishes() {
-                match subject.formula(&term.resonant[wave])? {
-                    Formula::Sum(terms) => all.extend(terms),
-                    one => all.push(one),
-                }
-            }
-        }
-        Ok(if all.is_empty() { number(0) } else { sum(all) })
-    };
-    let of_second_order =
-        |which: fn(&RateProducts) -> &String| -> Result<Option<Expression>, DerivationError> {
-            let read = products.map(|products| subject.read(which(products))).transpose()?;
-            Ok(read.filter(|product| !product.vanishes()))
-        };
-    let mut by_cosine = -subject.times_omega0(2, 1, Formula::from(&a) * excess.clone())?;
-    if let Some(product) = of_second_order(|products| &products.in_phase)? {
-        by_cosine = by_cosine + subject.written(&product);
-    }
-    let mut by_sine = -subject.times_omega0(2, 1, Formula::from(&growth))?;
-    if let Some(product) = of_second_order(|products| &products.across)? {
-        by_sine = by_sine + subject.written(&product).negated();
-    }
-    let by_cosine = Statement::equal(by_cosine, factors(0)?);
-    let by_sine = Statement::equal(by_sine, factors(1)?);
-    let [rate, turning] = subject.rates()?;
-    let compare = |statement: Statement| subject.trials.compare_choices(statement);
-    let step = match products {
-        None => DerivationStep::new("slow-flow", "The slow flow of amplitude and phase").say(
-            "By the definition of {} the difference {} is {}. What stands before {} in the derivatives must be what stands before it in the small terms, and the same holds for {}:",
-            [
-                letter("ψ"),
-                Formula::from(Name::new("ψ").prime()) - omega,
-                excess,
-                cosine(),
-                sine(),
-            ],
-        ),
-        Some(_) => DerivationStep::new("second-slow-flow", "The slow flow to the second order").say(
-            "With these products on the left, and the small terms of both orders on the right, {} has the same factor on both sides, and so has {}:",
-            [cosine(), sine()],
-        ),
-    };
-    let step = step
-        .show(compare(by_cosine)?)
-        .show(compare(by_sine)?)
-        .say("Solved for the two rates this is the slow flow,", [])
-        .show(compare(Statement::equal(&growth, rate))?)
-        .show(compare(Statement::equal(&turn, turning))?);
-    if products.is_some() || terms.iter().any(|term| term.waves.is_none()) {
+    let excess = subject.excess(Formula::from(subject.phase().prime()))?;
+    let step = DerivationStep::new("slow-flow", "The slow flow of amplitude and phase").say(
+        "By the definition of {} the difference {} is {}. What stands before {} in the derivatives must be what stands before it in the small terms, and the same holds for {}:",
+        [
+            letter("ψ"),
+            Formula::from(Name::new("ψ").prime()) - subject.omega0()?,
+            excess,
+            cosine(),
+            sine(),
+        ],
+    );
+    let step = solved(subject, step, left_sides(subject)?, terms)?;
+    if terms.iter().any(|term| term.waves.is_none()) {
         return Ok(step);
     }
     means(subject, step, terms)
+}
+
+/// What stands before cos ψ and sin ψ on the left side of the equation of motion, to the first order in the rates.
+pub(super) fn left_sides(subject: &SlowFlowSubject) -> Result<[Formula; 2], DerivationError> {
+    let a = subject.amplitude();
+    let excess = subject.excess(Formula::from(subject.phase().prime()))?;
+    let before_cosine = -subject.times_omega0(2, 1, Formula::from(&a) * excess)?;
+    let before_sine = -subject.times_omega0(2, 1, Formula::from(a.prime()))?;
+    Ok([before_cosine, before_sine])
+}
+
+/// The equations of these left sides and the resonant parts of the terms, and the rates that solve them.
+pub(super) fn solved(
+    subject: &SlowFlowSubject,
+    mut step: DerivationStep,
+    left_sides: [Formula; 2],
+    terms: &[&SmallTerm],
+) -> Result<DerivationStep, DerivationError> {
+    let compare = |statement: Statement| subject.trials.compare_choices(statement);
+    for (wave, left_side) in left_sides.into_iter().enumerate() {
+        let mut factors = vec![];
+        for term in terms {
+            if !subject.read(&term.resonant[wave])?.vanishes() {
+                match subject.formula(&term.resonant[wave])? {
+                    Formula::Sum(terms) => factors.extend(terms),
+                    one => factors.push(one),
+                }
+            }
+        }
+        let factor = if factors.is_empty() { number(0) } else { sum(factors) };
+        step = step.show(compare(Statement::equal(left_side, factor))?);
+    }
+    let [rate, turning] = subject.rates()?;
+    let (growth, turn) = (subject.amplitude().prime(), subject.phase().prime());
+    Ok(step
+        .say("Solved for the two rates this is the slow flow,", [])
+        .show(compare(Statement::equal(&growth, rate))?)
+        .show(compare(Statement::equal(&turn, turning))?))
 }
 
 /// The rates as means of the whole force.

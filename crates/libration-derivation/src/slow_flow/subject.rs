@@ -174,10 +174,10 @@ impl SlowFlowSubject {
     }
 
     /// ψ′ − ω0, with this rate for φ′.
-    pub(super) fn excess(&self, turn: &Name) -> Result<Formula, DerivationError> {
+    pub(super) fn excess(&self, turn: Formula) -> Result<Formula, DerivationError> {
         Ok(match self.turning()? {
-            Some(turning) => turning + Formula::from(turn),
-            None => Formula::from(turn),
+            Some(turning) => turning + turn,
+            None => turn,
         })
     }
 

@@ -249,7 +249,14 @@ fn false_statements_fail_for_choices_of_symbols() {
 
 #[test]
 fn flows_of_several_orders_are_refused() {
-    let refused: [Case; 3] = [
+    let refused: [Case; 5] = [
+        // A detuning of another order than the rates, and terms between an order and its double.
+        (
+            "x'' + m*x' + w^2*x + a*x^3 = F*cos(W*t)",
+            Some((1, 1)),
+            &[("m", 1), ("a", 2), ("F", 1), ("sigma", 2)],
+        ),
+        ("x'' + m*x' + w^2*x + a*x^3 + b*x^5 = 0", None, &[("m", 2), ("a", 3), ("b", 4)]),
         // Products of three, of terms of two orders, and with a drive that is not small.
         ("x'' + w^2*x + m*x' + a*x^3 = 0", None, &[("m", 1), ("a", 3)]),
         ("x'' + w^2*x + m*x' + a*x^3 + b*x^5 = 0", None, &[("m", 1), ("a", 2), ("b", 3)]),

@@ -164,20 +164,26 @@ pub fn slow_flow_steps(
     }
     let at = |order: usize| SymbolicSlowFlowOptions { order: Some(order), ..options.clone() };
     for lowest in 1..=MAX_SYMBOLIC_SLOW_ORDER {
-        let acts = |setting: &Setting, forced: &Forced<'_>, _: &_, solved: &Solved, _| {
+        let all = |setting: &Setting, forced: &Forced<'_>, properties: &_, solved: &Solved, order| {
+            let of = i64::try_from(lowest).unwrap_or(0);
+            steps::steps(setting, forced, properties, solved, (equation, [of, order]))
+        };
+        // The steps, or the higher order that is wanted; `None` if this one does not act.
+        let begun = |setting: &Setting, forced: &Forced<'_>, properties: &_, solved: &Solved, order| {
             let letters = forced.letters;
             let detuning = letters.index(Column::Detuning);
-            let is_bare = |powers: &[i64]| powers[detuning] == 0;
-            let acts = !letters.part(&solved.rates[0], is_bare).is_zero();
-            acts.then(|| setting.highest_order().and_then(|order| usize::try_from(order).ok()))
+            if letters.part(&solved.rates[0], |powers| powers[detuning] == 0).is_zero() {
+                return None;
+            }
+            let stated = setting.highest_order().and_then(|order| usize::try_from(order).ok());
+            let wanted = options.order.or(stated).filter(|wanted| *wanted > lowest);
+            Some(wanted.map_or_else(|| Ok(all(setting, forced, properties, solved, order)), Err))
         };
-        let Some(stated) = answered(equation, &at(lowest), progress, acts)? else { continue };
-        let order = options.order.or(stated).unwrap_or(lowest).max(lowest);
-        let lowest = i64::try_from(lowest).unwrap_or(0);
-        let collected = |setting: &Setting, forced: &Forced<'_>, properties: &_, solved: &Solved, order| {
-            steps::steps(setting, forced, properties, solved, (equation, [lowest, order]))
-        };
-        return answered(equation, &at(order), progress, collected);
+        match answered(equation, &at(lowest), progress, begun)? {
+            None => {}
+            Some(Ok(steps)) => return Ok(steps),
+            Some(Err(order)) => return answered(equation, &at(order), progress, all),
+        }
     }
     Ok(None)
 }

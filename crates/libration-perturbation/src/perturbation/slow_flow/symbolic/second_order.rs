@@ -22,13 +22,13 @@ pub struct EarlierOrder {
     pub motion: [[String; 2]; 2],
     /// The change of the velocity at constant amplitude and phase, in both forms.
     pub wave_velocity: [String; 2],
-    /// What forces the change of the displacement: the waves of the terms with other frequencies, in both forms.
+    /// Waves of the terms with other frequencies than the oscillation, which force the change of the displacement, in both forms.
     pub forcing: [String; 2],
     /// Products of the rates of this order; `None` if amplitude and phase do not change in this order.
     pub products: Option<RateProducts>,
 }
 
-/// What is of the first and second order in the rates on the left side of the equation of motion.
+/// The parts of the left side of the equation of motion that are of the first and the second order in the rates.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RateProducts {
     /// ψ′ − ω0.
@@ -40,7 +40,7 @@ pub struct RateProducts {
 }
 
 impl EarlierOrder {
-    /// `None` if terms have other orders, or kinks, or if the drive is not small.
+    /// `None` if terms have other orders, or if the drive is not small. The first terms have no kinks: the solution goes to this order.
     pub(super) fn new(
         written: &Written<'_>,
         solved: &Solved,
@@ -49,12 +49,9 @@ impl EarlierOrder {
         let forced = written.forced;
         let letters = forced.letters;
         let is_of_both = |term: &SmallForceTerm| [first, order].contains(&term.order) || term.order > order;
-        let mut early = forced.terms[0].iter().filter(|term| term.order == first);
-        let is_possible = order == 2 * first
-            && [first, order].contains(&lowest)
-            && forced.drives[0].is_zero()
-            && forced.terms[0].iter().all(is_of_both)
-            && early.all(|term| !term.is_kinked());
+        let early = || forced.terms[0].iter().filter(|term| term.order == first);
+        let is_possible =
+            order == 2 * first && forced.drives[0].is_zero() && forced.terms[0].iter().all(is_of_both);
         if !is_possible {
             return None;
         }
@@ -63,17 +60,11 @@ impl EarlierOrder {
         let rate = to_first(&solved.rates[0]);
         let velocity = forced.rate_of_change(&displacement, std::slice::from_ref(&rate), first);
         let motion = [&displacement, &velocity].map(|sum| letters.of_order(sum, first));
-        let changed = |term: &SmallForceTerm| {
-            let powers = forced.powers(
-                std::slice::from_ref(&displacement),
-                std::slice::from_ref(&velocity),
-                order + 1,
-            );
-            letters.of_order(&forced.product(term, &powers, order), order)
-        };
+        let powers =
+            forced.powers(std::slice::from_ref(&displacement), std::slice::from_ref(&velocity), order + 1);
+        let changed = |term: &SmallForceTerm| letters.of_order(&forced.product(term, &powers, order), order);
         let velocity_name = if written.variable == "v" { "u_1" } else { "v_1" };
         let names = [format!("{}_1", written.variable), velocity_name.to_owned()];
-        let early = || forced.terms[0].iter().filter(|term| term.order == first);
         let is_moving = |term: &&SmallForceTerm| term.powers[0] != [0, 0];
         let changes = early()
             .filter(is_moving)
