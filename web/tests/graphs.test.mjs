@@ -20,12 +20,10 @@ for (const [name, options] of [["the mouse", {}], ["a finger", { viewport: PHONE
   test(`a point of the phase plane starts the motion there, by ${name}`, () =>
     visit("pendulum?angle=60deg&t=0", async (room) => {
       const plane = figure(room, "Phase plane");
-      await plane.scrollIntoViewIfNeeded();
-      await room.waitForTimeout(200);
       const box = await plane.boundingBox();
       const [x, y] = [LEFT + 0.7 * (box.width - LEFT - RIGHT), 50];
-      if (options.hasTouch) await room.touchscreen.tap(box.x + x, box.y + y);
-      else await room.mouse.click(box.x + x, box.y + y);
+      // Scrolls there and presses at once, before the browser has said that the plane is in sight.
+      await plane[options.hasTouch ? "tap" : "click"]({ position: { x, y } });
       await room.waitForURL(/velocity=/);
       const values = new URLSearchParams(new URL(room.url()).hash.split("?")[1]);
       const { angle, velocity } = stateAt(x, y, box);

@@ -128,12 +128,14 @@ export class Plot {
       if (this.#isSeen && this.#isStale) this.redraw();
     });
     this.#sight.observe(this.canvas);
-    addEventListener("beforeprint", this.#print);
+    addEventListener("beforeprint", this.#see);
   }
 
   /** Calls back with the values of a point that is clicked. */
   onPoint(clicked: (x: number, y: number) => void): void {
     this.canvas.addEventListener("click", (event) => {
+      // The browser says only afterwards that a graph has come into sight.
+      if (this.#isStale) this.#see();
       const { x, y } = this.at(event);
       if (this.#frame !== undefined) clicked(...this.#frame.at(x, y));
     });
@@ -157,7 +159,7 @@ export class Plot {
     this.#draw();
   }
 
-  readonly #print = () => {
+  readonly #see = () => {
     this.#isSeen = true;
     this.redraw();
   };
@@ -208,7 +210,7 @@ export class Plot {
   close(): void {
     this.#observer.disconnect();
     this.#sight.disconnect();
-    removeEventListener("beforeprint", this.#print);
+    removeEventListener("beforeprint", this.#see);
   }
 
   #picture(): void {
