@@ -225,6 +225,34 @@ fn a_release_next_to_the_top_is_fitted() {
     );
 }
 
+/// Few rows, and rows between gaps that are too few for windows.
+#[test]
+fn short_traces_and_those_with_many_gaps_are_fitted() {
+    let mut random = Random::seeded(21);
+    let mut fewest = usize::MAX;
+    for number in 0..60 {
+        let mut truth = Truth::random(&mut random);
+        (truth.cycles, truth.rows_per_cycle) = (random.between(3.0, 5.0), random.between(6.0, 11.0));
+        truth.lost = 0.0;
+        if number % 2 == 1 {
+            (truth.cycles, truth.rows_per_cycle, truth.lost) =
+                (1.5 * truth.cycles, 1.5 * truth.rows_per_cycle, 0.4);
+        }
+        (truth.resolution, truth.damping) = (0.0, [0.0, truth.damping[1], 0.0]);
+        if number % 3 == 0 {
+            (truth.observable, truth.noise) = (Observable::AngularVelocity, truth.noise * truth.omega0);
+        }
+        let trace = truth.trace(&mut random);
+        fewest = fewest.min(trace.len());
+        let fit = fit_traces(&[trace], truth.terms(), &TraceOptions::default(), &Quiet);
+        let fit = fit.unwrap_or_else(|error| panic!("{error}: {truth:?}"));
+        let found = deviation(&fit, ParameterKind::NaturalFrequency, truth.omega0);
+        // Of 60 deviations with ten degrees of freedom or more one in thirty times is larger.
+        assert!(found.abs() < 5.0, "{found}: {truth:?}");
+    }
+    assert!(fewest < 25, "{fewest}");
+}
+
 #[test]
 fn angular_velocities_do_as_well() {
     let truth = Truth {

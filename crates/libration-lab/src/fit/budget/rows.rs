@@ -345,8 +345,8 @@ impl Inputs<'_> {
             PeriodDamping::Fitted(linear) => {
                 let with = Values { damping: linear, ..self.values };
                 let size = self.gravity_of(&with) / self.gravity_without(&with, BudgetEffect::Damping) - 1.0;
-                let note =
-                    format!("b = {linear:.3e} 1/s; already in T0, which is that of the undamped motion");
+                let drag = if linear.abs() > 0.0 { format!("b = {linear:.3e} 1/s; ") } else { String::new() };
+                let note = format!("{drag}already in T0, which is that of the undamped motion");
                 let row = unknown("damping", FORMULA, &note);
                 BudgetRow { correction: Correction::Applied(size), ..row }
             }

@@ -29,7 +29,7 @@ pub enum TraceFitError {
         /// The name of the second trace.
         second: String,
     },
-    /// No window of the trace obeys the equation of a pendulum.
+    /// Neither the equation of a pendulum nor a sine describes any part of the trace.
     #[error(
         "{name} does not look like a pendulum: the equation of motion holds in no part of it; check the columns and the \
          units of angle and time, and give at least one whole swing with six rows or more in each"

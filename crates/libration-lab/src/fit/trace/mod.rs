@@ -24,6 +24,7 @@ mod error;
 mod options;
 pub(crate) mod swing;
 mod weak_form;
+mod sine;
 mod data;
 pub(crate) mod huber;
 mod layout;

@@ -7,9 +7,11 @@
 use std::f64::consts::PI;
 
 use libration::internals::progress::Watch;
+use libration::pendulum::period_ratio;
 use libration::progress::Quiet;
 use nalgebra::{DMatrix, DVector};
 
+use super::sine::{Sine, sine};
 use crate::measurement::{Observable, Trace};
 use crate::parallel;
 use crate::statistics::count;
@@ -44,14 +46,15 @@ struct WindowEstimate {
     misfit: f64,
 }
 
-/// Computes the start, by windows of the length at which the equation holds best; `None` if it holds at none.
+/// Computes the start, by windows of the length at which the equation holds best, or by a sine where there are too few windows of each length; `None`
+/// if neither describes the trace.
 pub(super) fn beginning(trace: &Trace) -> Option<Beginning> {
     let times = trace.times();
     let (angles, bias) = match trace.observable() {
         Observable::Angle => (trace.values().to_vec(), None),
         Observable::AngularVelocity => integrated(times, trace.values()),
     };
-    let estimate = best_estimate(times, &angles)?;
+    let Some(estimate) = best_estimate(times, &angles) else { return by_sine(trace) };
     let turns = libm::round((median(angles.clone())? - estimate.offset) / (2.0 * PI));
     let offset = estimate.offset + 2.0 * PI * turns;
     let [angle, velocity] = first_state(times, &angles, estimate.omega0)?;
@@ -60,6 +63,18 @@ pub(super) fn beginning(trace: &Trace) -> Option<Beginning> {
         offset: bias.unwrap_or(offset),
         state: [angle - offset, velocity],
     })
+}
+
+/// The start by a sine of the angle or of the velocity, whose frequency is that of an undamped swing of its amplitude.
+fn by_sine(trace: &Trace) -> Option<Beginning> {
+    let Sine { frequency, constant, state: [value, rate] } = sine(trace.times(), trace.values())?;
+    let state = match trace.observable() {
+        Observable::Angle => [value, rate],
+        Observable::AngularVelocity => [-rate / (frequency * frequency), value],
+    };
+    // The sine may be larger than a swing.
+    let amplitude = libm::hypot(state[0], state[1] / frequency).min(3.0);
+    Some(Beginning { omega0: frequency * period_ratio(amplitude), offset: constant, state })
 }
 
 /// Least number of windows for a reliable residual of the equation. With 6 and 24 twelve recordings (`search.rs`) ended
