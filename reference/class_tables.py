@@ -64,6 +64,9 @@ def tables():
         ",".join([str(a)] + [
             f"{20 * period(0.5) / float(mpmath.agm(1, mpmath.cos(mpmath.radians(a) / 2))) + BY_HAND * rng.standard_normal():.2f}"
             for _ in range(3)]) for a in (10, 20, 30, 40, 50, 60)]
+    at_ten_degrees = 1 / float(mpmath.agm(1, mpmath.cos(mpmath.radians(10) / 2)))
+    yield "one_length.csv", ["L (cm),10 T (s)"] + [
+        f"56,{10 * period(0.56) * at_ten_degrees + BY_HAND * rng.standard_normal():.2f}" for _ in range(6)]
 
 
 def main():

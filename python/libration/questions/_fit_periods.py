@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal
 
-from .._ask import Columns, Given, Path, Quantity, Say, Value
+from .._ask import Angle, Columns, Given, Path, Quantity, Say, Value
 from ..answer import answer
 from ..fit import Fit
 
@@ -19,6 +19,7 @@ def fit_periods(
     to: Value | None = None,
     run: Given | None = None,
     group: int | str | None = None,
+    amplitude: Angle | None = None,
     amplitude_unit: Literal["rad", "deg"] | None = None,
     half_periods: bool = False,
     swings_per_reading: Value | None = None,
@@ -83,6 +84,8 @@ def fit_periods(
     group : int or str, optional
         Column of the names of groups, whose results are compared and averaged [default: a column
         named so in the header].
+    amplitude : angle, optional
+        The amplitude of all swings, such as 10deg, for a table without amplitudes.
     amplitude_unit : {"rad", "deg"}, optional
         Unit of the amplitudes and of their uncertainties [default: that of the header, else rad, or
         deg for angles of π or more].

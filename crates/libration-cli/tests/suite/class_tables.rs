@@ -61,6 +61,57 @@ fn repeated_readings_are_averaged_with_their_scatter() {
     assert!(pull.abs() < 3.0, "{periods}");
 }
 
+/// The options are those that the refusals name.
+#[test]
+fn one_length_gives_g_by_its_periods_at_one_amplitude() {
+    let table = example("one_length.csv");
+    let refused = libration(&format!("fit lengths {table}"));
+    let hint = "one length gives g by libration fit periods with --length and --amplitude";
+    assert!(unfolded(&message(&refused)).contains(hint), "{}", message(&refused));
+    let answer = json(&format!("fit periods {table} --length 56cm±1mm --amplitude 10deg"));
+    let number = |name: &str| answer[name].as_f64().unwrap();
+    let pull = (number("gravity_m_per_s2") - 9.81) / number("gravity_uncertainty_m_per_s2");
+    assert!(pull.abs() < 3.0, "{answer}");
+
+    let folder = directory("one-length");
+    let [alone, beside] = ["alone.csv", "beside.csv"].map(|name| folder.join(name));
+    let times = ["15.02", "14.99", "15.03"];
+    std::fs::write(&alone, format!("10 T (s)\n{}\n", times.join("\n"))).unwrap();
+    let rows = times.map(|time| format!("10,{time}\n")).concat();
+    std::fs::write(&beside, format!("A (deg),10 T (s)\n{rows}")).unwrap();
+    let [alone, beside] = [alone, beside].map(|path| path.display().to_string());
+    let by_option = json(&format!("fit periods {alone} --amplitude 10deg"));
+    assert_eq!(by_option["laws"], json(&format!("fit periods {beside}"))["laws"]);
+    for (arguments, said) in [
+        (alone.clone(), "--amplitude is that of all swings, for a table without amplitudes"),
+        (format!("{beside} --amplitude 10deg"), "a column of amplitudes is given too"),
+        (format!("{alone} --amplitude 10deg --from 5deg"), "no column holds the amplitude"),
+    ] {
+        let refused = unfolded(&message(&libration(&format!("fit periods {arguments}"))));
+        assert!(refused.contains(said), "{refused}");
+    }
+}
+
+/// A first line of numbers would be left out silently.
+#[test]
+fn a_single_column_is_headed_by_a_name_with_a_count_and_no_number() {
+    let table = directory("one-column").join("table.csv");
+    let fitted = |header: &str| {
+        std::fs::write(&table, format!("{header}\n15.02\n14.99\n15.03\n")).unwrap();
+        libration(&format!("fit periods {} --amplitude 10deg --json", table.display()))
+    };
+    for header in ["10 T (s)", "10T [s]", "10 T / s", "10T/s", "10 swings (s)"] {
+        let output = fitted(header);
+        let answer: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!(answer["rows"], 3, "{header}");
+        assert!((answer["laws"][0]["t0_s"].as_f64().unwrap() - 1.4985).abs() < 1e-3, "{header}: {answer}");
+    }
+    for header in ["15 s", "15 (s)", "1.50 (2)", "15.02 s (Ada)", "15 / 2", "15 /"] {
+        let refused = message(&fitted(header));
+        assert!(refused.contains("neither a header nor a row of numbers"), "{header}: {refused}");
+    }
+}
+
 /// The option is the one that the refusal names.
 #[test]
 fn two_tables_side_by_side_are_read_one_after_the_other() {

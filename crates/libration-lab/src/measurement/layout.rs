@@ -175,7 +175,7 @@ fn refuse_numbers(
 }
 
 /// Returns `true` if a row with numbers names columns: `L (m),1,2,3`, `,1. Messung,2. Messung` below the names of the other columns, and
-/// `L (cm)   10 T (s)` with wide blanks between names.
+/// `L (cm)   10 T (s)` with wide blanks between names; alone `10 T (s)`.
 fn is_header(row: &TextRow, above: &[TextRow], text: &str, width: usize) -> bool {
     let cells = || row.cells.iter().filter(|cell| !cell.is_empty());
     let numbers: Vec<f64> = cells().filter_map(|cell| cell.parse().ok()).collect();
@@ -195,7 +195,21 @@ fn is_header(row: &TextRow, above: &[TextRow], text: &str, width: usize) -> bool
     };
     let is_below = above.is_some_and(is_over) && cells().all(is_ordinal);
     let names = header::between_wide_blanks(row, text).unwrap_or_default();
-    is_numbered || is_below || width > 1 && names.len() == width && names.len() < row.cells.len()
+    let are_names = match &names[..] {
+        [name] => width == 1 && is_counted_name(name),
+        _ => width > 1 && names.len() == width && names.len() < row.cells.len(),
+    };
+    is_numbered || is_below || are_names
+}
+
+/// A name with a unit that begins with a count: `10 T (s)`, `10T/s`, but neither `15 s`, `1.50 (2)` nor `15.02 s (Ada)`.
+fn is_counted_name(name: &str) -> bool {
+    let spaced = name.replace('/', " / ");
+    let (units, words): (Vec<&str>, Vec<&str>) =
+        spaced.split_whitespace().partition(|word| word.starts_with(['(', '[', '/']));
+    let has_letter = |word: &str| word.contains(char::is_alphabetic);
+    let has_unit = units.into_iter().any(|unit| unit == "/" || has_letter(unit));
+    has_unit && words.iter().any(|word| has_letter(word)) && !words[0].contains(['.', ','])
 }
 
 fn all_begin_with_digits(row: &TextRow) -> bool {

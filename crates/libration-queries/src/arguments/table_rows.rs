@@ -96,6 +96,15 @@ impl RowOptions {
     }
 
     fn within(&self, read: &Readings, wanted: Wanted, unit: Unit) -> Result<Vec<bool>, String> {
+        if self.from.is_none() && self.to.is_none() {
+            return Ok(vec![true; read.lines.len()]);
+        }
+        if read.quantities[0].iter().all(Vec::is_empty) {
+            let name = wanted.name;
+            return Err(in_words(&format!(
+                "no column holds the {name}, of which a range is given (<--from>, <--to>)"
+            )));
+        }
         let in_si = |bound: Option<RowBound>, otherwise: f64| match bound {
             None => Ok(otherwise),
             Some(bound) => {

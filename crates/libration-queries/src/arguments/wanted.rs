@@ -3,6 +3,9 @@
 use super::CountedOptions;
 use libration_lab::measurement::{Column, MeasurementError, Role, Table, TableQuantity, Unit, WrittenUnit};
 
+/// Beginnings of headings of amplitudes where they are not needed.
+pub(crate) const AMPLITUDES: &[&str] = &["amplitude", "angle", "theta", "θ", "amplitud", "ampiezza"];
+
 /// The quantity expected in a column, and the options given for it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wanted {

@@ -29,7 +29,7 @@ export const PARTS = { choices: CHOICES, apparatus: APPARATUS, reading: READING 
 const TAKEN: Readonly<Record<Kind, readonly Key[]>> = {
   trace: ["model", "robust", "free-scale", ...APPARATUS, ...READING],
   gates: ["signals", "diameter", "shape", "gate-distance", "amplitude", "linear-damping", ...APPARATUS, ...READING],
-  periods: [...TABLE, ...TIMING, "amplitude-unit", "reject-outliers", "linear-damping", ...APPARATUS],
+  periods: [...TABLE, ...TIMING, "amplitude", "amplitude-unit", "reject-outliers", "linear-damping", ...APPARATUS],
   lengths: [...TABLE, ...TIMING, "length-unit", "amplitude", "amplitude-unit", "pendulum", "edges", "bob-radius", "clock"],
   amplitudes: [...TABLE, ...DECAY, "length"],
   response: [...TABLE, ...RESPONSE],

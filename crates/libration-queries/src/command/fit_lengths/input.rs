@@ -1,8 +1,8 @@
 //! The file of a length table: its columns and their units.
 
 use crate::arguments::{
-    AmplitudeUnit, ColumnsOption, CountedOptions, DialectOptions, GroupOption, Inferences, LengthUnit,
-    Wanted, one_amplitude,
+    AMPLITUDES, AmplitudeUnit, ColumnsOption, CountedOptions, DialectOptions, GroupOption, Inferences,
+    LengthUnit, Wanted, column_or_one_amplitude,
 };
 use crate::figure::lengths::MeasuredLengths;
 use crate::query_error::{QueryError, option};
@@ -86,12 +86,14 @@ impl FitLengthsInput {
                 ),
             ));
         }
+        let amplitudes = column_or_one_amplitude(amplitudes, self.amplitude.as_ref())?;
+        let exactly = |value: f64| Quantity { value, uncertainty: None };
         let columns = LengthColumns {
             lengths: &lengths,
             periods: &periods,
             length_uncertainties: length_uncertainties.as_deref(),
             period_uncertainties: of_periods.as_deref(),
-            amplitudes: &self.amplitudes(amplitudes)?,
+            amplitudes: &amplitudes.into_iter().map(exactly).collect::<Vec<Quantity>>(),
         };
         let rounding = read.rounding[1].clone();
         let table = LengthTable::new(&columns).map_err(|error| self.no_answer(error))?;
@@ -116,31 +118,8 @@ impl FitLengthsInput {
     fn wanted(&self) -> [Wanted; 5] {
         let (lengths, periods) = (Wanted::lengths(self.length_unit), Wanted::periods(self.counted));
         let of_both = [lengths.uncertainties(0), periods.uncertainties(1)];
-        let amplitudes = Wanted::amplitudes(self.amplitude_unit).only_named(&[
-            "amplitude",
-            "angle",
-            "theta",
-            "θ",
-            "amplitud",
-            "ampiezza",
-        ]);
+        let amplitudes = Wanted::amplitudes(self.amplitude_unit).only_named(AMPLITUDES);
         [lengths, periods, of_both[0], of_both[1], amplitudes]
-    }
-
-    /// The column of amplitudes, the common amplitude of all rows, or no amplitudes.
-    fn amplitudes(&self, column: Option<Vec<f64>>) -> Result<Vec<Quantity>, QueryError> {
-        let exactly = |value: f64| Quantity { value, uncertainty: None };
-        match (column, self.amplitude) {
-            (Some(_), Some(_)) => Err(QueryError::usage(
-                option("amplitude"),
-                "a column of amplitudes is given too: leave out one of them",
-            )),
-            (Some(column), None) => Ok(column.into_iter().map(exactly).collect()),
-            (None, amplitude) => {
-                let amplitude = amplitude.as_ref().map(one_amplitude).transpose()?;
-                Ok(amplitude.map(|amplitude| exactly(amplitude.angle().radians())).into_iter().collect())
-            }
-        }
     }
 
     pub(super) fn no_answer(&self, reason: impl std::fmt::Display) -> QueryError {

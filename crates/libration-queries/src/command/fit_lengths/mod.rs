@@ -120,7 +120,15 @@ impl FitLengths {
         };
         self.check()?;
         let fit = fit::fit_lengths(&table.measured.table, &options);
-        let fit = fit.map_err(|error| self.input.no_answer(error))?;
+        let fit = fit.map_err(|error| {
+            let refused = self.input.no_answer(&error);
+            let mut pairs = table.measured.lengths.windows(2);
+            if pairs.all(|pair| pair[0].total_cmp(&pair[1]).is_eq()) {
+                refused.with_hint(ONE_LENGTH)
+            } else {
+                refused
+            }
+        })?;
         if fit.weighted_by_rounding {
             table.weight_by_rounding();
         }
@@ -138,6 +146,9 @@ impl FitLengths {
         Ok(announce(out, self.form.form(), &written)?)
     }
 }
+
+/// The way to g with a single length.
+const ONE_LENGTH: &str = "one length gives g by <libration fit periods> with <--length> and <--amplitude>";
 
 /// Gravity of each group, if the rows have groups; they share everything except the fitted line.
 fn groups_of(read: &LengthFile, fit: &LengthsFit, options: &LengthsOptions) -> Option<Groups> {

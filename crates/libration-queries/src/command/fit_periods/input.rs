@@ -1,11 +1,12 @@
 //! The file of a period table: its columns, its unit, its dialect.
 
 use crate::arguments::{
-    AmplitudeUnit, ColumnsInSi, ColumnsOption, CountedOptions, DialectOptions, GroupOption, Inferences,
-    Wanted,
+    AMPLITUDES, AmplitudeUnit, ColumnsInSi, ColumnsOption, CountedOptions, DialectOptions, GroupOption,
+    Inferences, TableFit, Wanted, column_or_one_amplitude,
 };
 use crate::figure::periods::Measurement;
 use crate::query_error::QueryError;
+use libration::quantity::Angle;
 use libration_lab::fit::{PeriodFit, PeriodTable, Uncertainties};
 use std::path::PathBuf;
 
@@ -18,6 +19,9 @@ pub(super) struct FitPeriodsInput {
     columns: ColumnsOption,
     #[command(flatten)]
     group: GroupOption,
+    /// The amplitude of all swings, such as 10deg, for a table without amplitudes
+    #[arg(long, value_name = "ANGLE", value_parser = crate::arguments::angle)]
+    amplitude: Option<Angle>,
     /// Unit of the amplitudes and of their uncertainties [default: that of the header, else rad, or deg for angles of π or more]
     #[arg(long, value_enum)]
     amplitude_unit: Option<AmplitudeUnit>,
@@ -66,18 +70,30 @@ impl FitPeriodsInput {
     pub(super) fn read(&self) -> Result<ReadPeriods, QueryError> {
         let table = self.dialect.read(&self.file)?;
         let group = self.group.group.as_ref();
-        let read = self.columns.read(&self.name(), &table, &self.wanted(), group, "fit periods")?;
-        self.measured(read)
+        let read = self.columns.read(&self.name(), &table, &self.wanted(), group, "fit periods");
+        let read = read.map_err(|error| match TableFit::of(&table) {
+            None if self.amplitude.is_none() => {
+                error.with_hint("<--amplitude> is that of all swings, for a table without amplitudes")
+            }
+            _ => error,
+        });
+        self.measured(read?)
     }
 
     fn wanted(&self) -> [Wanted; 4] {
         let (amplitudes, periods) = (Wanted::amplitudes(self.amplitude_unit), Wanted::periods(self.counted));
+        let amplitudes =
+            if self.amplitude.is_some() { amplitudes.only_named(AMPLITUDES) } else { amplitudes };
         [amplitudes, periods, amplitudes.uncertainties(0), periods.uncertainties(1)]
     }
 
     fn measured(&self, read: ColumnsInSi<4>) -> Result<ReadPeriods, QueryError> {
         let [amplitudes, periods, of_amplitudes, of_periods] = read.columns;
-        let (amplitudes, periods) = (amplitudes.unwrap_or_default(), periods.unwrap_or_default());
+        let periods = periods.unwrap_or_default();
+        let mut amplitudes = column_or_one_amplitude(amplitudes, self.amplitude.as_ref())?;
+        if self.amplitude.is_some() {
+            amplitudes = amplitudes.repeat(periods.len());
+        }
         let uncertainties =
             Uncertainties { amplitudes: of_amplitudes.as_deref(), periods: of_periods.as_deref() };
         let table = PeriodTable::new(&amplitudes, &periods, uncertainties);

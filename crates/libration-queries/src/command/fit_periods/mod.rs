@@ -34,6 +34,8 @@ pub(crate) use fields::answers;
     --reject-outliers 5 --json
   libration fit periods examples/class/amplitudes.csv --length 0.5m±1mm \\
     --shared-timing 0.05s
+  libration fit periods examples/class/one_length.csv --length 56cm±1mm \\
+    --amplitude 10deg
   libration fit periods examples/period_table_synthetic.csv \\
     --length 0.994m±0.001m --latitude 48.1deg --elevation 520m \\
     --report periods.html
