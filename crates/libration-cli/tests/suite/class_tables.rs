@@ -96,10 +96,12 @@ fn one_length_gives_g_by_its_periods_at_one_amplitude() {
 #[test]
 fn a_single_column_is_headed_by_a_name_with_a_count_and_no_number() {
     let table = directory("one-column").join("table.csv");
-    let fitted = |header: &str| {
-        std::fs::write(&table, format!("{header}\n15.02\n14.99\n15.03\n")).unwrap();
+    let written = |header: &str, rows: &str| {
+        std::fs::write(&table, format!("{header}\n{rows}")).unwrap();
         libration(&format!("fit periods {} --amplitude 10deg --json", table.display()))
     };
+    let fitted = |header: &str| written(header, "15.02\n14.99\n15.03\n");
+    assert_eq!(fitted("10 T (s)").stdout, written("10 T (s)", "15,02\n14,99\n15,03\n").stdout);
     for header in ["10 T (s)", "10T [s]", "10 T / s", "10T/s", "10 swings (s)"] {
         let output = fitted(header);
         let answer: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();

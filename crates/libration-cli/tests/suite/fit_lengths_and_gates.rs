@@ -404,6 +404,18 @@ fn periods_are_no_times_of_a_gate() {
     assert!(refused.contains("3 of 7 times") && refused.contains("libration fit periods"), "{refused}");
 }
 
+/// Passages at the centre are as even as samples, and their numbers are no signal.
+#[test]
+fn passages_may_be_numbered() {
+    let row = |passage: i32| format!("{passage},{:.2}\n", 0.75 * f64::from(passage));
+    let rows = (1..9).map(row).collect::<String>();
+    let numbered = file("gate-numbered", &format!("passage,Time (s)\n{rows}"));
+    let answer = json(&format!("fit gates {numbered}"));
+    assert!((answer["mean_period_s"].as_f64().unwrap() - 1.5).abs() < 1e-12, "{answer}");
+    let voltages = file("gate-voltages", &format!("U (V),Time (s)\n{}", rows.replace(",0.75", ".5,0.75")));
+    assert!(message(&libration(&format!("fit gates {voltages}"))).contains("recording of samples"));
+}
+
 #[test]
 fn times_of_a_gate_are_no_trace() {
     for (name, text) in

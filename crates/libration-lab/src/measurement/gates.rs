@@ -177,6 +177,7 @@ fn refuse_samples(sheet: &Sheet, time: usize) -> Result<(), MeasurementError> {
         channel.heading.quantity == QuantityKind::Other
             && !channel.heading.is_uncertainty
             && channel.count() > 0
+            && !counts_rows(&channel.numbers().flatten().collect::<Vec<_>>())
     };
     let others = (0..sheet.channels.len()).filter(|&column| column != time);
     let is_even = || has_even_steps(&sheet.channels[time].numbers().flatten().collect::<Vec<_>>());
@@ -207,6 +208,11 @@ fn refuse_samples(sheet: &Sheet, time: usize) -> Result<(), MeasurementError> {
         ),
         choices,
     })
+}
+
+/// Returns `true` for the numbers of the passages.
+fn counts_rows(numbers: &[f64]) -> bool {
+    numbers.windows(2).all(|pair| (pair[1] - pair[0]).total_cmp(&1.0).is_eq())
 }
 
 /// Returns `true` if the steps are equal to a hundredth, as those of samples. Steps between passages of a gate may be so too,

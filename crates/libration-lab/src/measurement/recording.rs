@@ -160,11 +160,11 @@ fn read_page(page: &Page<'_>, options: &ReadOptions) -> Result<Sheet, Measuremen
         return Ok(sheet.with_header_in_first_row(line));
     }
     let sheet = Sheet::read(&page.name, &text, dialect, options);
-    if let Err(MeasurementError::HeaderWidth { names, columns, .. }) = &sheet
-        && dialect.delimiter == Delimiter::Comma
-        && options.decimal.is_none()
-        && *columns == 2 * *names
-    {
+    let has_half_of_names = || match &sheet {
+        Err(MeasurementError::HeaderWidth { names, columns, .. }) => *columns == 2 * *names,
+        _ => ambiguity::are_decimals_below_one_name(&text),
+    };
+    if dialect.delimiter == Delimiter::Comma && options.decimal.is_none() && has_half_of_names() {
         // Half as many names as numbers: the commas are decimal ones too.
         let commas = Dialect { mark: DecimalMark::Comma, ..dialect };
         return Sheet::read(&page.name, &text, commas, options).or(sheet);
