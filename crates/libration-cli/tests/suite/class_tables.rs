@@ -79,6 +79,8 @@ fn one_length_gives_g_by_its_periods_at_one_amplitude() {
     std::fs::write(&alone, format!("10 T (s)\n{}\n", times.join("\n"))).unwrap();
     let rows = times.map(|time| format!("10,{time}\n")).concat();
     std::fs::write(&beside, format!("A (deg),10 T (s)\n{rows}")).unwrap();
+    let lengths = folder.join("lengths.csv");
+    std::fs::write(&lengths, "L (cm),A (deg),T (s)\n56,10,1.50\n80,10,1.80\n56,20,1.51\n").unwrap();
     let [alone, beside] = [alone, beside].map(|path| path.display().to_string());
     let by_option = json(&format!("fit periods {alone} --amplitude 10deg"));
     assert_eq!(by_option["laws"], json(&format!("fit periods {beside}"))["laws"]);
@@ -86,6 +88,8 @@ fn one_length_gives_g_by_its_periods_at_one_amplitude() {
         (alone.clone(), "--amplitude is that of all swings, for a table without amplitudes"),
         (format!("{beside} --amplitude 10deg"), "a column of amplitudes is given too"),
         (format!("{alone} --amplitude 10deg --from 5deg"), "no column holds the amplitude"),
+        (format!("{} --amplitude 10deg", example("ten_swings.csv")), "the rows have several lengths"),
+        (lengths.display().to_string(), "the rows have several lengths"),
     ] {
         let refused = unfolded(&message(&libration(&format!("fit periods {arguments}"))));
         assert!(refused.contains(said), "{refused}");
@@ -102,6 +106,9 @@ fn a_single_column_is_headed_by_a_name_with_a_count_and_no_number() {
     };
     let fitted = |header: &str| written(header, "15.02\n14.99\n15.03\n");
     assert_eq!(fitted("10 T (s)").stdout, written("10 T (s)", "15,02\n14,99\n15,03\n").stdout);
+    let with_whole =
+        ["15.02\n15\n15.03\n", "15,02\n15\n15,03\n"].map(|rows| written("10 T (s)", rows).stdout);
+    assert!(!with_whole[0].is_empty() && with_whole[0] == with_whole[1]);
     for header in ["10 T (s)", "10T [s]", "10 T / s", "10T/s", "10 swings (s)"] {
         let output = fitted(header);
         let answer: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();

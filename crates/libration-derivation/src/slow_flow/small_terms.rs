@@ -183,7 +183,7 @@ pub(super) fn averaged(
     means(subject, step, terms)
 }
 
-/// What stands before cos ψ and sin ψ on the left side of the equation of motion, to the first order in the rates.
+/// The coefficients of cos ψ and sin ψ on the left side of the equation of motion, to the first order in the rates.
 pub(super) fn left_sides(subject: &SlowFlowSubject) -> Result<[Formula; 2], DerivationError> {
     let a = subject.amplitude();
     let excess = subject.excess(Formula::from(subject.phase().prime()))?;

@@ -45,16 +45,14 @@ pub(super) fn refuse(text: &str, sheet: &Sheet, options: &ReadOptions) -> Result
 /// Returns `true` for `0,52` and the like below a single name with a unit, some with two digits or more after the comma: a second column without a
 /// name may hold states, which have one, and other words may be a title.
 pub(super) fn are_decimals_below_one_name(text: &str) -> bool {
-    let mut lines = text.lines().filter(|line| !is_blank_or_comment(line)).take(SAMPLE);
-    let above = lines.by_ref().take_while(|line| !of_whole_numbers(line)).last();
-    // `take_while` takes the first line of numbers as well.
-    let fractions =
-        || lines.clone().map(|line| line.trim().split_once(',').filter(|_| of_whole_numbers(line)));
-    let is_one = |fraction: Option<(&str, &str)>| fraction.is_some_and(|(_, digits)| !digits.contains(','));
-    let is_long = |fraction: Option<(&str, &str)>| fraction.is_some_and(|(_, digits)| digits.len() > 1);
-    above.is_some_and(|name| Heading::read(name, None, None).unit.is_some() && !name.contains(','))
-        && fractions().all(is_one)
-        && fractions().any(is_long)
+    let lines: Vec<&str> = text.lines().filter(|line| !is_blank_or_comment(line)).take(SAMPLE).collect();
+    let first = lines.iter().position(|line| of_whole_numbers(line)).unwrap_or(0);
+    let (above, rows) = lines.split_at(first);
+    let is_name = |name: &&str| Heading::read(name, None, None).unit.is_some() && !name.contains(',');
+    let digits = |row: &&str| row.trim().split_once(',').map_or(0, |(_, digits)| digits.len());
+    above.last().is_some_and(is_name)
+        && rows.iter().all(|row| row.matches(',').count() < 2)
+        && rows.iter().map(digits).any(|digits| digits > 1)
 }
 
 /// Returns `true` for digits and single commas between them, as in `0,5,1,2`: no blank, point, sign after a comma or quote shows the meaning of a

@@ -2,12 +2,13 @@
 
 use crate::arguments::{
     AMPLITUDES, AmplitudeUnit, ColumnsInSi, ColumnsOption, CountedOptions, DialectOptions, GroupOption,
-    Inferences, TableFit, Wanted, column_or_one_amplitude,
+    Inferences, LengthUnit, TableFit, Wanted, column_or_one_amplitude,
 };
 use crate::figure::periods::Measurement;
 use crate::query_error::QueryError;
 use libration::quantity::Angle;
 use libration_lab::fit::{PeriodFit, PeriodTable, Uncertainties};
+use libration_lab::measurement::Table;
 use std::path::PathBuf;
 
 /// The file, and options for reading it.
@@ -76,8 +77,27 @@ impl FitPeriodsInput {
                 error.with_hint("<--amplitude> is that of all swings, for a table without amplitudes")
             }
             _ => error,
-        });
-        self.measured(read?)
+        })?;
+        self.refuse_lengths(&table)?;
+        self.measured(read)
+    }
+
+    /// Refuses a table of several lengths, which have no common T0.
+    fn refuse_lengths(&self, table: &Table) -> Result<(), QueryError> {
+        const COMMAND: &str = "fit lengths";
+        let is_of_lengths = || TableFit::of(table).is_some_and(|fit| fit.command == COMMAND);
+        if self.columns.are_given() || !is_of_lengths() {
+            return Ok(());
+        }
+        let wanted = [Wanted::lengths(None::<LengthUnit>), Wanted::periods(self.counted)];
+        let read = self.columns.read(&self.name(), table, &wanted, self.group.group.as_ref(), COMMAND);
+        let lengths = read.ok().and_then(|read| read.columns.into_iter().next()?).unwrap_or_default();
+        match lengths.windows(2).all(|pair| pair[0].total_cmp(&pair[1]).is_eq()) {
+            true => Ok(()),
+            false => Err(self
+                .no_answer("the rows have several lengths, and T0 is that of one")
+                .with_hint("all of them give g by <libration fit lengths>, which has <--amplitude> too")),
+        }
     }
 
     fn wanted(&self) -> [Wanted; 4] {
