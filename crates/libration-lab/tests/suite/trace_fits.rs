@@ -253,6 +253,30 @@ fn short_traces_and_those_with_many_gaps_are_fitted() {
     assert!(fewest < 25, "{fewest}");
 }
 
+/// The period falls by half, so that no sine explains the whole.
+#[test]
+fn strongly_damped_traces_with_many_gaps_are_fitted() {
+    let mut random = Random::seeded(22);
+    for amplitude in [1.6, 2.0, 2.4] {
+        for rows_per_cycle in [10.0, 12.0, 14.0, 16.0] {
+            let truth = Truth {
+                damping: [0.0, 0.18, 0.0],
+                state: [amplitude, 0.0],
+                cycles: 15.0,
+                rows_per_cycle,
+                noise: 0.01,
+                lost: 0.5,
+                ..Truth::plain()
+            };
+            let trace = truth.trace(&mut random);
+            let fit = fit_traces(&[trace], truth.terms(), &TraceOptions::default(), &Quiet);
+            let fit = fit.unwrap_or_else(|error| panic!("{error}: {truth:?}"));
+            let found = deviation(&fit, ParameterKind::NaturalFrequency, truth.omega0);
+            assert!(found.abs() < 5.0, "{found}: {truth:?}");
+        }
+    }
+}
+
 #[test]
 fn angular_velocities_do_as_well() {
     let truth = Truth {
@@ -576,6 +600,8 @@ fn what_cannot_be_fitted_is_refused() {
             "{error:?}"
         );
     }
+    let two_sines = trace(45, |t| 0.2 * (libm::cos(0.3 * t) + libm::cos(0.73 * t)));
+    assert!(matches!(refused(two_sines), TraceFitError::NoPendulum { .. }));
     let swing = Truth::plain().trace(&mut Random::seeded(13));
     // At the first motion, and at a later one.
     for last in [1, 5] {

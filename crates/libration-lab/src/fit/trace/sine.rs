@@ -18,9 +18,12 @@ pub(super) struct Sine {
     pub(super) state: [f64; 2],
 }
 
-/// Most and fewest rows of a search for the frequency: further ones hardly matter for the first swings, and fewer are explained by chance.
+/// Most and fewest rows of a search for the frequency. Of 228 traces with gaps one was lost with a fewest of 12 rows, and 20 with 30; with
+/// at most 200 rows all ended alike.
 const ROWS: [usize; 2] = [1000, 12];
-/// Least part of the variance that a sine explains. With 0.5 and only all rows six of 150 strongly damped traces with gaps had no sine.
+/// Least part of the variance that a sine explains: noise exceeds it at one frequency with a probability of 0.2^4.5 = 7e-4 for twelve rows (Zechmeister
+/// and Kürster, see [`lomb_scargle`]). With 0.5 all of 436 traces ended alike; with 0.95 seventeen more were lost, and with
+/// none two sines of one size were fitted.
 const EXPLAINED: f64 = 0.8;
 
 /// Fits the sine to the first two swings, with the frequency that explains as many of the first rows as possible; `None` if none does.
@@ -38,11 +41,10 @@ pub(super) fn sine(times: &[f64], values: &[f64]) -> Option<Sine> {
     Some(Sine { frequency, constant: fitted[0], state: [fitted[1], frequency * fitted[2]] })
 }
 
-/// The angular frequency that explains most, of three quarters of a swing or more; `None` if it explains too little.
+/// The angular frequency of the sine that explains most; `None` if it explains too little.
 fn frequency(times: &[f64], values: &[f64]) -> Option<f64> {
     let span = times.last()? - times.first()?;
     let spectrum = lomb_scargle(times, values, None, 0.125 / span, 4 * times.len(), &Quiet).ok()?;
-    let possible =
-        spectrum.into_iter().filter(|point| point.frequency * span >= 0.75 && point.power >= EXPLAINED);
+    let possible = spectrum.into_iter().filter(|point| point.power >= EXPLAINED);
     Some(TAU * possible.max_by(|a, b| a.power.total_cmp(&b.power))?.frequency)
 }
