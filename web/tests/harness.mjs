@@ -21,27 +21,24 @@ export const PROJECTOR = { width: 1920, height: 1080 };
 const LONGEST = 180_000;
 
 let browser;
-let plain;
+const kept = new Map();
 
+// Tests with the same options have pages in one context: an empty page there keeps the renderer process, whose beginning costs a second of processor
+// time, more than the page itself.
 async function context(options) {
-  browser ??= await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"] });
-  return browser.newContext({ viewport: DESK, ...options });
-}
-
-// Without options of its own a test has a page in a context with others: an empty page there keeps the renderer process, whose beginning costs a
-// second of processor time, more than the page itself.
-async function plainContext() {
-  if (plain === undefined) {
-    plain = await context({});
-    await (await plain.newPage()).goto(pathToFileURL(`${clone}web/tests/`).href);
+  const key = JSON.stringify(options);
+  if (!kept.has(key)) {
+    browser ??= await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"] });
+    const made = await browser.newContext({ viewport: DESK, ...options });
+    await (await made.newPage()).goto(pathToFileURL(`${clone}web/tests/`).href);
+    kept.set(key, made);
   }
-  return plain;
+  return kept.get(key);
 }
 
 /** A page with nothing in it; nothing may leave the machine, and nothing may break meanwhile. */
 export async function open(use, { viewport = DESK, ...options } = {}) {
-  const isPlain = Object.keys(options).length === 0;
-  const around = isPlain ? await plainContext() : await context(options);
+  const around = await context(options);
   const complaints = [];
   const opened = await around.newPage();
   await opened.setViewportSize(viewport);
@@ -57,7 +54,7 @@ export async function open(use, { viewport = DESK, ...options } = {}) {
     await use(opened);
     assert.deepEqual(complaints, []);
   } finally {
-    await (isPlain ? opened : around).close();
+    await opened.close();
   }
 }
 
@@ -73,7 +70,8 @@ export function visit(fragment, use, options) {
 
 export async function close() {
   await browser?.close();
-  browser = plain = undefined;
+  browser = undefined;
+  kept.clear();
 }
 
 /** Waits until the query for the entries has run. */

@@ -48,10 +48,10 @@ for (const fragment of ROOMS) {
       await check(room, "phone");
     }, { viewport: PHONE, bypassCSP: true }));
 
-  test(`${fragment} at a desk and on a projector, light and dark, and by the Tab key`, () =>
+  test(`${fragment} at a desk, on a projector in the dark, and by the Tab key`, () =>
     visit(fragment, async (room) => {
       await room.evaluate(axe);
-      for (const [viewport, colorScheme] of [[DESK, "light"], [DESK, "dark"], [PROJECTOR, "dark"]]) {
+      for (const [viewport, colorScheme] of [[DESK, "light"], [PROJECTOR, "dark"]]) {
         await room.setViewportSize(viewport);
         await room.emulateMedia({ colorScheme });
         await room.waitForTimeout(200);

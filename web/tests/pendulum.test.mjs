@@ -121,6 +121,8 @@ async function take(room) {
   await room.mouse.down();
   await room.mouse.move(x + width / 2 + 80, y + height / 2 + 20);
 }
+/** Waits until the clock has gone beyond this time in seconds: on a loaded machine longer than in real time. */
+const goesBeyond = (room, time) => room.waitForFunction((least) => Number.parseFloat(document.querySelector(".readout.time strong").textContent) > least, time);
 const pointerCancelled = (room) => stage(room).evaluate((canvas) => canvas.dispatchEvent(new PointerEvent("pointercancel", { pointerId: 1 })));
 
 test("a pendulum that is taken out of the hand goes on", () =>
@@ -131,8 +133,7 @@ test("a pendulum that is taken out of the hand goes on", () =>
     await room.waitForTimeout(200);
     assert.equal(await time(), held);
     await pointerCancelled(room);
-    await room.waitForTimeout(500);
-    assert.ok((await time()) > held + 0.1);
+    await goesBeyond(room, held + 0.1);
     assert.equal(await room.getByLabel("Angle", { exact: true }).inputValue(), "150");
     await room.mouse.up();
     assert.equal(await room.getByLabel("Angle", { exact: true }).inputValue(), "150");
@@ -163,8 +164,7 @@ test("a finger that the system takes away leaves the pendulum moving", () =>
     await room.waitForTimeout(100);
     const held = await time();
     await touch("touchCancel", []);
-    await room.waitForTimeout(500);
-    assert.ok((await time()) > held + 0.1);
+    await goesBeyond(room, held + 0.1);
   }, { viewport: PHONE, hasTouch: true }));
 
 test("each example is the pendulum that it names, without damping and driving", () =>
@@ -202,8 +202,7 @@ test("it moves in real time, stands, steps, and goes back", () =>
   visit("pendulum?angle=150deg", async (room) => {
     const time = async () => read((await fact(room, "Time")).replace(" s", ""));
     const before = await time();
-    await room.waitForTimeout(700);
-    assert.ok((await time()) > before + 0.3);
+    await goesBeyond(room, before + 0.3);
     await room.getByRole("button", { name: "Pause" }).click();
     const stands = await time();
     await room.waitForTimeout(200);
@@ -232,7 +231,7 @@ test("with keys only: turned, run, stopped, stepped", () =>
     await room.keyboard.press(".");
     await room.waitForURL(/t=0\.016667/);
     await room.keyboard.press("Space");
-    await room.waitForTimeout(300);
+    await goesBeyond(room, 0.2);
     await room.keyboard.press("Space");
     await room.waitForURL((url) => Number(new URLSearchParams(url.hash.split("?")[1]).get("t")) > 0.1);
     await room.keyboard.press("Home");

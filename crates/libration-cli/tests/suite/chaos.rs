@@ -161,13 +161,18 @@ fn the_verdicts_are_said() {
 
 #[test]
 fn what_cannot_be_is_refused_with_what_would_do() {
-    let cases: [(&[&str], i32, &[&str]); 10] = [
+    let cases: [(&[&str], i32, &[&str]); 11] = [
         (&["section", "pendulum", "--initial", "theta=1"], 2, &["--period", "surface"]),
         (&["section", "driven_pendulum"], 2, &["--initial", "theta=60deg"]),
         (&["section", "pendulum", "--initial", "theta=1", "--at", "z"], 2, &["--at", "z"]),
         // `foo` is not a parameter either, so that `--set` is not suggested.
         (
             &["section", "x''=-x", "--initial", "x=1", "--at", "x-foo"],
+            2,
+            &["--at: the system has no state variable `foo`: it has x, x', and the time t"],
+        ),
+        (
+            &["bifurcation", "x''=-k*x", "--initial", "x=1", "--over", "k=1:2:1", "--at", "1/foo"],
             2,
             &["--at: the system has no state variable `foo`: it has x, x', and the time t"],
         ),
@@ -211,6 +216,24 @@ fn the_formula_of_a_surface_may_name_parameters() {
         ask(&[&arguments[..], &["--json"]].concat())["points"].clone()
     };
     assert_eq!(points("theta - omega0/4"), points("theta - 1/2"));
+}
+
+#[test]
+fn the_surface_of_a_diagram_may_name_parameters_and_the_varied_one() {
+    let diagram = |over: &str, at: &str| {
+        let rest = ["--initial", "theta=1", "--set", "omega0=2", "--skip", "0", "--points", "2", "--json"];
+        ask(&[&["bifurcation", "damped_pendulum", "--over", over, "--at", at][..], &rest].concat())["points"]
+            .clone()
+    };
+    assert_eq!(diagram("c1=0.01:0.02:0.01", "theta - omega0/4"), diagram("c1=0.01:0.02:0.01", "theta - 1/2"));
+    let varied = diagram("c1=0.0625:0.125:0.0625", "theta - 4*c1");
+    for (value, surface) in [("0.0625", "theta - 1/4"), ("0.125", "theta - 1/2")] {
+        let one = diagram(&format!("c1={value}"), surface);
+        let is_at = |point: &&Value| point["value"] == one[0]["value"];
+        let same: Vec<Value> = varied.as_array().unwrap().iter().filter(is_at).cloned().collect();
+        assert_eq!(Value::from(same), one, "{value}");
+        assert_eq!(one.as_array().unwrap().len(), 2);
+    }
 }
 
 #[cfg(unix)]

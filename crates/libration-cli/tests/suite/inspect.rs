@@ -154,7 +154,7 @@ fn a_recorded_gate_signal_is_sent_to_the_fit_of_gates() {
 #[test]
 fn files_that_cannot_be_read_are_refused_with_the_place_and_the_option() {
     for (name, text, options, part) in [
-        ("ragged", "t/s,θ/rad\n0,1\n1\n", "", "line 3 has 1 cells"),
+        ("ragged", "t/s,θ/rad\n0,1\n1\n", "", "line 3 has 1 cell where 2 were expected"),
         ("commas", "0,5,1,2\n1,0,1,3\n", "", "--decimal point or comma"),
         ("states", "Zeit (s)\n0,1\n1,0\n2,1\n", "", "--decimal point or comma"),
         ("title", "Arduino log\n0,512\n1,520\n2,498\n", "", "--decimal point or comma"),

@@ -36,7 +36,10 @@ pub enum MeasurementError {
     #[error("the file has no rows of data: give at least one line of numbers")]
     Empty,
     /// A row with another number of cells than the others.
-    #[error("line {line} has {cells} cells where {expected} were expected: complete or remove the row")]
+    #[error(
+        "line {line} has {cells} cell{} where {expected} were expected: complete or remove the row",
+        if *cells == 1 { "" } else { "s" }
+    )]
     Ragged {
         /// Number of the line, from 1.
         line: u64,

@@ -6,7 +6,7 @@ use super::section::{
 };
 use crate::taylor::{Cause, Effort, Moment, System, Trajectory, integrate_many_stepwise};
 use libration_numbers::algebra::BigFloat;
-use libration_numbers::expression::{Equation, EquationError, Expression};
+use libration_numbers::expression::{Equation, EquationError, Expression, Symbol};
 use libration_numbers::internals::progress::Watch;
 use libration_numbers::progress::{Progress, Stage};
 
@@ -17,7 +17,7 @@ pub struct Family<'a> {
     pub equation: &'a Equation,
     /// The name of the parameter.
     pub parameter: &'a str,
-    /// The surface or stroboscope that defines the points.
+    /// The surface or stroboscope that defines the points; the formula of a surface may contain the parameter.
     pub section: &'a Section,
     /// The numbers of points to skip and to record.
     pub points: Points,
@@ -110,6 +110,15 @@ impl Family<'_> {
         Ok(self.equation.with(&[(self.parameter, exactly(value)?)])?)
     }
 
+    /// The section with this value of the parameter in its formula.
+    fn section_at(&self, cut: &Section, value: f64) -> Result<Section, DiagramError> {
+        let Section::Crossing { formula, direction } = cut else { return Ok(cut.clone()) };
+        let value = exactly(value)?;
+        let names = self.equation.parameters_called(&[self.parameter])?;
+        let put_in = |formula: Expression, name: &String| formula.substitute(&Symbol::plain(name), &value);
+        Ok(Section::Crossing { formula: names.iter().fold(formula.clone(), put_in), direction: *direction })
+    }
+
     /// Computes one motion after the other.
     fn one_by_one(
         &self,
@@ -124,6 +133,7 @@ impl Family<'_> {
         let mut columns: Vec<DiagramColumn> = Vec::with_capacity(values.len());
         for &value in values {
             let equation = self.equation_at(value)?;
+            let cut = &self.section_at(cut, value)?;
             let last = columns.last().and_then(|column| column.section.points.last());
             let from = match (continuation, last) {
                 (Continuation::LastState, Some(last)) => continued(last, cut, &equation),

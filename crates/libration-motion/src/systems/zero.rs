@@ -22,7 +22,7 @@ pub enum ConditionError {
 
 impl Model {
     /// The formula that vanishes where a condition holds. The condition is a formula of coordinates, velocities, rates, parameters and the time
-    /// t, or an equation, `theta = 0.5`; the parameters have their values.
+    /// t, or an equation, `theta = 0.5`; parameters have their values, and those without one stay.
     ///
     /// # Errors
     /// Text that is not a formula; a name that is unknown in the system.
@@ -47,9 +47,10 @@ impl Model {
         };
         let formula = self.values().iter().fold(written, put_in);
         let names = self.state_names();
+        let open = self.equation().parameters();
         let in_state = self.equation().with_rates(&formula);
         let unknown = in_state.symbols().into_iter().map(|symbol| symbol.to_string());
-        match unknown.into_iter().find(|name| name != "t" && !names.contains(name)) {
+        match unknown.into_iter().find(|name| name != "t" && !names.contains(name) && !open.contains(name)) {
             Some(name) => Err(ConditionError::Unknown { name, known: names }),
             None => Ok(formula),
         }

@@ -67,27 +67,17 @@ impl From<CrossingSide> for Direction {
 }
 
 impl SectionOptions {
-    /// The section on which the points are taken: at each period given, or of the drive that the model is known to have, or at a
-    /// formula's zeros.
-    pub(crate) fn section(&self, model: &Model) -> Section {
-        match &self.at {
-            Some(formula) => Section::Crossing { formula: formula.clone(), direction: self.direction.into() },
-            None => {
-                let drive_period = model.drive_frequency().map(|frequency| TAU / frequency.abs());
-                let period = self.period.or(drive_period.filter(|period| period.is_finite()));
-                Section::Stroboscope { period, phase: self.phase }
-            }
-        }
-    }
-
-    /// The section with the values of the parameters in its formula, which may contain only names of the system.
-    pub(crate) fn known_section(&self, model: &Model) -> Result<Section, QueryError> {
-        let mut section = self.section(model);
-        if let Section::Crossing { formula, .. } = &mut section {
+    /// The section on which the points are taken: at each period given, or of the drive that the model is known to have, or at the zeros of a
+    /// formula, which may contain only names of the system.
+    pub(crate) fn section(&self, model: &Model) -> Result<Section, QueryError> {
+        if let Some(formula) = &self.at {
             let zero = model.zero_of(&formula.to_string());
-            *formula = zero.map_err(|error| QueryError::usage(option("at"), error))?;
+            let formula = zero.map_err(|error| QueryError::usage(option("at"), error))?;
+            return Ok(Section::Crossing { formula, direction: self.direction.into() });
         }
-        Ok(section)
+        let drive_period = model.drive_frequency().map(|frequency| TAU / frequency.abs());
+        let period = self.period.or(drive_period.filter(|period| period.is_finite()));
+        Ok(Section::Stroboscope { period, phase: self.phase })
     }
 
     /// The numbers of points that are skipped and kept in a section: on a surface all, as most motions there keep their energy.

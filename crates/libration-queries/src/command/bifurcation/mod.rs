@@ -93,7 +93,7 @@ impl Bifurcation {
     pub(crate) fn answer(&self, out: &mut dyn Write) -> Result<(), QueryError> {
         let model = self.system.model_with_open(&[&self.over.name], &option("over"))?;
         let start = Moment { time: 0.0, state: self.initial.read(&model)?.state };
-        let section = self.section.section(&model);
+        let section = self.section.section(&model)?;
         let diagram = Diagram {
             model: &model,
             options: &self.section,

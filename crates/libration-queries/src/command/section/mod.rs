@@ -79,7 +79,7 @@ impl PoincareQuestion {
         let model = self.system.model()?;
         let starts: Vec<Vec<f64>> =
             self.initial.read(&model)?.into_iter().map(|initial| initial.state).collect();
-        let (section, points) = (self.section.known_section(&model)?, self.section.points_of_section(POINTS));
+        let (section, points) = (self.section.section(&model)?, self.section.points_of_section(POINTS));
         let sections = self.sections(&model, &section, &starts)?;
         let answer = SectionResult {
             model: &model,
