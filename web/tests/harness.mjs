@@ -25,15 +25,17 @@ const kept = new Map();
 
 // Tests with the same options have pages in one context: an empty page there keeps the renderer process, whose beginning costs a second of processor
 // time, more than the page itself.
-async function context(options) {
+function context(options) {
   const key = JSON.stringify(options);
-  if (!kept.has(key)) {
-    browser ??= await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"] });
-    const made = await browser.newContext({ viewport: DESK, ...options });
-    await (await made.newPage()).goto(pathToFileURL(`${clone}web/tests/`).href);
-    kept.set(key, made);
-  }
+  if (!kept.has(key)) kept.set(key, begun(options));
   return kept.get(key);
+}
+
+async function begun(options) {
+  browser ??= chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"] });
+  const made = await (await browser).newContext({ viewport: DESK, ...options });
+  await (await made.newPage()).goto(pathToFileURL(`${clone}web/tests/`).href);
+  return made;
 }
 
 /** A page with nothing in it; nothing may leave the machine, and nothing may break meanwhile. */
@@ -69,7 +71,7 @@ export function visit(fragment, use, options) {
 }
 
 export async function close() {
-  await browser?.close();
+  await (await browser)?.close();
   browser = undefined;
   kept.clear();
 }

@@ -161,7 +161,7 @@ fn the_verdicts_are_said() {
 
 #[test]
 fn what_cannot_be_is_refused_with_what_would_do() {
-    let cases: [(&[&str], i32, &[&str]); 11] = [
+    let cases: [(&[&str], i32, &[&str]); 12] = [
         (&["section", "pendulum", "--initial", "theta=1"], 2, &["--period", "surface"]),
         (&["section", "driven_pendulum"], 2, &["--initial", "theta=60deg"]),
         (&["section", "pendulum", "--initial", "theta=1", "--at", "z"], 2, &["--at", "z"]),
@@ -175,6 +175,11 @@ fn what_cannot_be_is_refused_with_what_would_do() {
             &["bifurcation", "x''=-k*x", "--initial", "x=1", "--over", "k=1:2:1", "--at", "1/foo"],
             2,
             &["--at: the system has no state variable `foo`: it has x, x', and the time t"],
+        ),
+        (
+            &["section", "x''=-x", "--initial", "x=1", "--at", "x = 1 +"],
+            2,
+            &["--at: at character", "  1 +\n"],
         ),
         (
             &["section", "x''=-x", "--initial", "x=1", "--at", "x-5"],
@@ -216,6 +221,7 @@ fn the_formula_of_a_surface_may_name_parameters() {
         ask(&[&arguments[..], &["--json"]].concat())["points"].clone()
     };
     assert_eq!(points("theta - omega0/4"), points("theta - 1/2"));
+    assert_eq!(points("theta = omega0/4"), points("theta - 1/2"));
 }
 
 #[test]

@@ -115,8 +115,10 @@ impl Family<'_> {
         let Section::Crossing { formula, direction } = cut else { return Ok(cut.clone()) };
         let value = exactly(value)?;
         let names = self.equation.parameters_called(&[self.parameter])?;
-        let put_in = |formula: Expression, name: &String| formula.substitute(&Symbol::plain(name), &value);
-        Ok(Section::Crossing { formula: names.iter().fold(formula.clone(), put_in), direction: *direction })
+        let formula = names
+            .iter()
+            .fold(formula.clone(), |formula, name| formula.substitute(&Symbol::plain(name), &value));
+        Ok(Section::Crossing { formula, direction: *direction })
     }
 
     /// Computes one motion after the other.

@@ -37,11 +37,11 @@ impl Model {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn zero_of(&self, text: &str) -> Result<Expression, ConditionError> {
-        let difference = match text.split_once('=') {
-            Some((left, right)) => format!("({left}) - ({right})"),
-            None => text.to_owned(),
+        // An equation side by side, so that a complaint shows what was written.
+        let written = match text.split_once('=') {
+            Some((left, right)) => Expression::Subtract(Box::new(left.parse()?), Box::new(right.parse()?)),
+            None => text.parse()?,
         };
-        let written: Expression = difference.parse()?;
         let put_in = |formula: Expression, (name, value): &(String, Expression)| {
             formula.substitute(&Symbol::plain(name), value)
         };

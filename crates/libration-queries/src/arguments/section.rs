@@ -22,9 +22,9 @@ pub(crate) struct SectionOptions {
     /// Take the points at this fraction of the period, from 0 to 1
     #[arg(long, default_value = "0", value_parser = phase, conflicts_with = "at")]
     phase: f64,
-    /// Take a point whenever this formula of coordinates, velocities and t changes its sign
+    /// Take a point whenever this formula of coordinates, velocities, parameters and t changes its sign, or two are equal, such as "theta = 0.5"
     #[arg(long, value_name = "FORMULA")]
-    at: Option<Expression>,
+    at: Option<String>,
     /// Direction in which the formula crosses zero
     #[arg(long, value_name = "SIDE", default_value = "rising", requires = "at")]
     direction: CrossingSide,
@@ -70,9 +70,8 @@ impl SectionOptions {
     /// The section on which the points are taken: at each period given, or of the drive that the model is known to have, or at the zeros of a
     /// formula, which may contain only names of the system.
     pub(crate) fn section(&self, model: &Model) -> Result<Section, QueryError> {
-        if let Some(formula) = &self.at {
-            let zero = model.zero_of(&formula.to_string());
-            let formula = zero.map_err(|error| QueryError::usage(option("at"), error))?;
+        if let Some(text) = &self.at {
+            let formula = model.zero_of(text).map_err(|error| QueryError::usage(option("at"), error))?;
             return Ok(Section::Crossing { formula, direction: self.direction.into() });
         }
         let drive_period = model.drive_frequency().map(|frequency| TAU / frequency.abs());
@@ -109,7 +108,8 @@ impl SectionOptions {
 
     /// Returns `true` if the points are taken where this state component is zero.
     pub(crate) fn is_at(&self, name: &str) -> bool {
-        self.at.as_ref().is_some_and(|formula| formula.to_string() == name)
+        let formula = self.at.as_ref().and_then(|text| text.parse::<Expression>().ok());
+        formula.is_some_and(|formula| formula.to_string() == name)
     }
 
     /// A description of the section.
