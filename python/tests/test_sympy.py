@@ -284,3 +284,13 @@ def test_a_negative_symbol_may_have_a_value():
     positive = Symbol("w", positive=True)
     assert lb.expand(equation.subs(W, -positive), 3).omega0.to_sympy() == positive
     assert lb.simulate(equation, {"x": 1}, [1.0], set={"w": -2}).success
+
+
+def test_the_surface_of_a_section_may_be_of_sympy():
+    theta = Symbol("theta")
+
+    def points(at):
+        return questions.section("pendulum", initial="theta=1", at=at, points=2).points
+
+    for surface in (theta - sympy.Rational(1, 2), Eq(theta, sympy.Rational(1, 2))):
+        assert points(surface) == points("theta - 1/2")

@@ -56,7 +56,8 @@ def bifurcation(
     phase : float or str, optional
         Take the points at this fraction of the period, from 0 to 1 [default: 0].
     at : formula, optional
-        Take a point whenever this formula of coordinates, velocities and t changes its sign.
+        Take a point whenever this formula of coordinates, velocities, parameters and t changes its
+        sign, or two are equal, such as "theta = 0.5".
     direction : {"rising", "falling", "any"}, optional
         Direction in which the formula crosses zero [default: rising].
     skip : int, optional

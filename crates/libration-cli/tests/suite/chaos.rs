@@ -179,7 +179,7 @@ fn what_cannot_be_is_refused_with_what_would_do() {
         (
             &["section", "x''=-x", "--initial", "x=1", "--at", "x = 1 +"],
             2,
-            &["--at: at character", "  1 +\n"],
+            &["--at", "at character", "\n   1 +\n"],
         ),
         (
             &["section", "x''=-x", "--initial", "x=1", "--at", "x-5"],

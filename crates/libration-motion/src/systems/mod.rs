@@ -38,4 +38,4 @@ pub use initial::{InitialState, InitialStateError};
 pub use model::Model;
 pub use named::{NamedBody, NamedCoordinate, NamedSystem, PendulumParametersError, VelocityPower};
 pub use observables::{ObservableError, Observables};
-pub use zero::ConditionError;
+pub use zero::{ConditionError, condition};

@@ -20,9 +20,34 @@ pub enum ConditionError {
     },
 }
 
+/// The formula that vanishes where a condition holds: the condition itself, or the difference of the sides of an equation, `theta = 0.5`; where
+/// the right one is zero, the left one.
+///
+/// # Errors
+/// Text that is not a formula, or a side that is not one, which the complaint shows as it was written.
+///
+/// # Examples
+/// ```
+/// # extern crate libration_motion as libration;
+/// use libration::systems::condition;
+/// assert_eq!(condition("theta = 1/2")?.to_string(), "theta - 1/2");
+/// assert_eq!(condition("theta = 0")?.to_string(), "theta");
+/// assert!(condition("theta = 1 +").is_err());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn condition(text: &str) -> Result<Expression, ParseError> {
+    let Some((left, right)) = text.split_once('=') else { return text.parse() };
+    let (left, right): (Expression, Expression) = (left.parse()?, right.parse()?);
+    if right == Expression::from(0) {
+        Ok(left)
+    } else {
+        Ok(Expression::Subtract(Box::new(left), Box::new(right)))
+    }
+}
+
 impl Model {
-    /// The formula that vanishes where a condition holds. The condition is a formula of coordinates, velocities, rates, parameters and the time
-    /// t, or an equation, `theta = 0.5`; parameters have their values, and those without one stay.
+    /// The formula that vanishes where a [`condition`] of coordinates, velocities, rates, parameters and the time t holds; parameters have their
+    /// values, and those without one stay.
     ///
     /// # Errors
     /// Text that is not a formula; a name that is unknown in the system.
@@ -37,15 +62,10 @@ impl Model {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn zero_of(&self, text: &str) -> Result<Expression, ConditionError> {
-        // An equation side by side, so that a complaint shows what was written.
-        let written = match text.split_once('=') {
-            Some((left, right)) => Expression::Subtract(Box::new(left.parse()?), Box::new(right.parse()?)),
-            None => text.parse()?,
-        };
         let put_in = |formula: Expression, (name, value): &(String, Expression)| {
             formula.substitute(&Symbol::plain(name), value)
         };
-        let formula = self.values().iter().fold(written, put_in);
+        let formula = self.values().iter().fold(condition(text)?, put_in);
         let names = self.state_names();
         let open = self.equation().parameters();
         let in_state = self.equation().with_rates(&formula);

@@ -6,7 +6,7 @@ use crate::output::{Form, number};
 use crate::query_error::{Parameter, QueryError, option};
 use libration::chaos::{Points, Section, SectionError, drive_period, folded};
 use libration::expression::{Equation, Expression};
-use libration::systems::Model;
+use libration::systems::{Model, condition};
 use libration::taylor::{Direction, Effort};
 use std::f64::consts::TAU;
 
@@ -23,8 +23,8 @@ pub(crate) struct SectionOptions {
     #[arg(long, default_value = "0", value_parser = phase, conflicts_with = "at")]
     phase: f64,
     /// Take a point whenever this formula of coordinates, velocities, parameters and t changes its sign, or two are equal, such as "theta = 0.5"
-    #[arg(long, value_name = "FORMULA")]
-    at: Option<String>,
+    #[arg(long, value_name = "FORMULA", value_parser = condition)]
+    at: Option<Expression>,
     /// Direction in which the formula crosses zero
     #[arg(long, value_name = "SIDE", default_value = "rising", requires = "at")]
     direction: CrossingSide,
@@ -70,8 +70,9 @@ impl SectionOptions {
     /// The section on which the points are taken: at each period given, or of the drive that the model is known to have, or at the zeros of a
     /// formula, which may contain only names of the system.
     pub(crate) fn section(&self, model: &Model) -> Result<Section, QueryError> {
-        if let Some(text) = &self.at {
-            let formula = model.zero_of(text).map_err(|error| QueryError::usage(option("at"), error))?;
+        if let Some(formula) = &self.at {
+            let zero = model.zero_of(&formula.to_string());
+            let formula = zero.map_err(|error| QueryError::usage(option("at"), error))?;
             return Ok(Section::Crossing { formula, direction: self.direction.into() });
         }
         let drive_period = model.drive_frequency().map(|frequency| TAU / frequency.abs());
@@ -108,8 +109,7 @@ impl SectionOptions {
 
     /// Returns `true` if the points are taken where this state component is zero.
     pub(crate) fn is_at(&self, name: &str) -> bool {
-        let formula = self.at.as_ref().and_then(|text| text.parse::<Expression>().ok());
-        formula.is_some_and(|formula| formula.to_string() == name)
+        self.at.as_ref().is_some_and(|formula| formula.to_string() == name)
     }
 
     /// A description of the section.
