@@ -72,7 +72,7 @@ def bifurcation(
         Do not estimate the errors of the states, which saves time.
     axis : coordinate, optional
         The state variable that the picture shows [default: the first coordinate, or its velocity if
-        it is an angle].
+        it is an angle, unless ``at`` fixes it].
     figure : str or path, optional
         Draw the diagram to FILE.svg, .pdf, .png or .json instead of listing the points.
     size : {"page", "column", "slide"}, optional

@@ -242,6 +242,34 @@ fn the_surface_of_a_diagram_may_name_parameters_and_the_varied_one() {
     }
 }
 
+/// What the surface fixes would be one line of points.
+#[test]
+fn pictures_show_what_the_surface_leaves_free() {
+    let driven =
+        ["bifurcation", "driven_pendulum", "--set", "c=1/2", "--initial", "theta=0.2", "--over", "A=1"];
+    let double = ["section", "double_pendulum", "--initial", "theta1=2,theta2=2"];
+    let lorenz = ["section", "lorenz", "--initial", "x=1,y=1,z=1"];
+    let figure = directory("free").join("free.json");
+    let figure = figure.to_str().unwrap();
+    let cases: [(&[&str], &str, [&str; 2]); 8] = [
+        (&driven, "theta", ["A", "θ′ / (rad/s)"]),
+        (&driven, "theta' - c", ["A", "θ / rad"]),
+        (&driven, "theta' = A/4", ["A", "θ / rad"]),
+        (&driven, "theta' - t/100", ["A", "θ′ / (rad/s)"]),
+        (&double, "sin(theta1)", ["θ₂ / rad", "θ₂′ / (rad/s)"]),
+        (&double, "theta1' = 0", ["θ₁ / rad", "θ₂ / rad"]),
+        (&double, "theta1 - theta2", ["θ₁ / rad", "θ₁′ / (rad/s)"]),
+        (&lorenz, "x = 1", ["y", "z"]),
+    ];
+    for (arguments, at, axes) in cases {
+        let rest = ["--at", at, "--points", "2", "--skip", "0", "--direction", "any", "--figure", figure];
+        answered(&[arguments, &rest].concat());
+        let chart: Value = serde_json::from_slice(&std::fs::read(figure).unwrap()).unwrap();
+        let panel = &chart["panels"][0];
+        assert_eq!([&panel["x"]["label"], &panel["y"]["label"]], axes, "{arguments:?} at {at}");
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn ctrl_c_keeps_a_complete_answer() {

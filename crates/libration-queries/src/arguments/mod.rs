@@ -71,7 +71,9 @@ pub(crate) use parameter_span::{ParameterSpan, parameter_span, two_parameter_spa
 pub(crate) use pendulum::{PendulumOptions, motion};
 pub(crate) use place::PlaceOptions;
 pub(crate) use recording::{RecordingOptions, finding_with_option};
-pub(crate) use section::{SectionOptions, coordinate, place_in_state, places_in_state, section_failure};
+pub(crate) use section::{
+    SectionOptions, coordinate, free_on, place_in_state, places_in_state, section_failure,
+};
 pub(crate) use sensitivities::sensitivities;
 pub(crate) use slow_flow::{drive_resonance, frequency_ratios, small_orders};
 pub(crate) use sweep_options::sweep_options_first;

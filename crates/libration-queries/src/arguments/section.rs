@@ -66,6 +66,20 @@ impl From<CrossingSide> for Direction {
     }
 }
 
+/// The numbers of the state components that are free on a section: all but one that is alone in the formula of the surface, without another and
+/// the time.
+pub(crate) fn free_on(section: &Section, model: &Model) -> Vec<usize> {
+    let names = model.state_names();
+    let mut free: Vec<usize> = (0..names.len()).collect();
+    if let Section::Crossing { formula, .. } = section {
+        let symbols =
+            model.equation().with_rates(formula).symbols().into_iter().map(|symbol| symbol.to_string());
+        let varying: Vec<String> = symbols.filter(|name| name == "t" || names.contains(name)).collect();
+        free.retain(|&component| varying != [names[component].as_str()]);
+    }
+    free
+}
+
 impl SectionOptions {
     /// The section on which the points are taken: at each period given, or of the drive that the model is known to have, or at the zeros of a
     /// formula, which may contain only names of the system.
@@ -105,11 +119,6 @@ impl SectionOptions {
     /// The state as it is printed, with angles folded if requested.
     pub(crate) fn shown(&self, state: &[f64], angles: &[bool]) -> Vec<f64> {
         if self.fold { folded_state(state, angles) } else { state.to_vec() }
-    }
-
-    /// Returns `true` if the points are taken where this state component is zero.
-    pub(crate) fn is_at(&self, name: &str) -> bool {
-        self.at.as_ref().is_some_and(|formula| formula.to_string() == name)
     }
 
     /// A description of the section.

@@ -3,7 +3,7 @@
 mod write;
 
 use crate::arguments::{
-    CoordinateName, InitialOptions, ParameterRange, SectionOptions, SystemOptions, parameter_range,
+    CoordinateName, InitialOptions, ParameterRange, SectionOptions, SystemOptions, free_on, parameter_range,
     place_in_state, section_failure,
 };
 use crate::figure::section::{DiagramSweep, StateAxis};
@@ -55,7 +55,7 @@ pub(crate) struct Bifurcation {
     sweep: Option<SweepOrder>,
     #[command(flatten)]
     section: SectionOptions,
-    /// The state variable that the picture shows [default: the first coordinate, or its velocity if it is an angle]
+    /// The state variable that the picture shows [default: the first coordinate, or its velocity if it is an angle, unless --at fixes it]
     #[arg(long, value_name = "NAME", requires = "figure")]
     axis: Option<CoordinateName>,
     /// Draw the diagram to FILE.svg, .pdf, .png or .json instead of listing the points
@@ -118,7 +118,7 @@ impl Bifurcation {
                 &model,
                 &self.over.name,
                 &diagram.sweeps,
-                &StateAxis::new(&model, self.axis(&model)?),
+                &StateAxis::new(&model, self.axis(&model, &section)?),
             ))
         })?;
         diagram.write(out, self.form.form(), drawn.is_empty())?;
@@ -130,13 +130,19 @@ impl Bifurcation {
         without_points.map_or(Ok(()), Err)
     }
 
-    /// The index of the state component in the picture.
-    fn axis(&self, model: &Model) -> Result<usize, QueryError> {
-        match &self.axis {
-            Some(name) => place_in_state(model, &option("axis"), name),
-            None if angles(model.equation())[0] => Ok(model.layout().driven(0)),
-            None => Ok(0),
+    /// The index of the state component in the picture: the first that the surface leaves free, if it does not the usual one.
+    fn axis(&self, model: &Model, section: &Section) -> Result<usize, QueryError> {
+        if let Some(name) = &self.axis {
+            return place_in_state(model, &option("axis"), name);
         }
+        let usual = if angles(model.equation())[0] { model.layout().driven(0) } else { 0 };
+        let free = free_on(section, model);
+        Ok(free
+            .iter()
+            .copied()
+            .find(|&component| component == usual)
+            .or(free.first().copied())
+            .unwrap_or(usual))
     }
 
     fn sweeps(

@@ -4,7 +4,7 @@ pub(crate) mod point_errors;
 mod write;
 
 use crate::arguments::{
-    SectionOptions, SeveralInitialOptions, SystemOptions, places_in_state, section_failure,
+    SectionOptions, SeveralInitialOptions, SystemOptions, free_on, places_in_state, section_failure,
 };
 use crate::figure::section::StateAxis;
 use crate::output::{FormOptions, announce};
@@ -91,7 +91,7 @@ impl PoincareQuestion {
             sections,
         };
         let drawn = figure::file::drawn(self.figure.as_deref(), &self.layout, || {
-            let axes = self.axes(&model)?.map(|component| StateAxis::new(&model, component));
+            let axes = self.axes(&model, &section)?.map(|component| StateAxis::new(&model, component));
             Ok(figure::section::section(&model, &answer.starts, &answer.sections, &axes))
         })?;
         answer.write(out, self.form.form(), drawn.is_empty())?;
@@ -100,17 +100,17 @@ impl PoincareQuestion {
         answer.failure().map_or(Ok(()), Err)
     }
 
-    /// The axes of the picture: the first coordinate that does not define the surface, and its velocity, or the next coordinate if it has none.
-    fn axes(&self, model: &Model) -> Result<[usize; 2], QueryError> {
-        let coordinates = model.coordinates();
-        let on_surface = |name: &str| self.section.is_at(name);
-        let mut off = (0..coordinates.len()).filter(|&coordinate| !on_surface(&coordinates[coordinate].name));
-        let first = off.next().unwrap_or(0);
-        let Some(names) = &self.axes else {
-            let second = model.layout().velocity(first).or_else(|| off.next());
-            return Ok([first, second.unwrap_or(first)]);
-        };
-        places_in_state(model, &option("axes"), names)
+    /// The axes of the picture: the first coordinate that the surface leaves free, and its velocity, or the next coordinate if that is not free.
+    fn axes(&self, model: &Model, section: &Section) -> Result<[usize; 2], QueryError> {
+        if let Some(names) = &self.axes {
+            return places_in_state(model, &option("axes"), names);
+        }
+        let free = free_on(section, model);
+        let mut coordinates = free.iter().copied().filter(|&component| component < model.coordinates().len());
+        let first = coordinates.next().unwrap_or(0);
+        let velocity = model.layout().velocity(first);
+        let second = velocity.filter(|component| free.contains(component)).or_else(|| coordinates.next());
+        Ok([first, second.or(velocity).unwrap_or(first)])
     }
 
     /// One section for each start, side by side.
