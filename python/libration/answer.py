@@ -21,12 +21,14 @@ from numpy.typing import NDArray
 
 from . import _native
 from . import _chart
+from ._equations import constant_of_sympy
 from ._ask import TABLE, Asked, answered, asked, charted
 from .errors import Interrupted
 from .picture import Picture
 
 if TYPE_CHECKING:
     import pandas
+    import sympy
     import xarray
     from matplotlib.axes import Axes
 
@@ -84,6 +86,38 @@ class Fields(Mapping[str, Any]):
     def __repr__(self) -> str:
         fields = [f"{name}={_short(value)}" for name, value in self._fields.items()]
         return f"{type(self).__name__}({', '.join(fields)})"
+
+    def to_sympy(self, name: str, symbols: "Iterable[sympy.Symbol]" = ()) -> Any:
+        """A formula of the result in SymPy, such as the rate of an amplitude; of a list of
+        formulas a list; None where there is none.
+
+        Parameters
+        ----------
+        name : str
+            The field.
+        symbols : sequence of sympy.Symbol
+            Symbols with assumptions, in place of plain ones with the same names.
+
+        Raises
+        ------
+        TypeError
+            A field that is not a formula.
+
+        Examples
+        --------
+        >>> import libration as lb
+        >>> damped = "x'' + c*x'*abs(x') + x = 0"
+        >>> flow = lb.questions.expand(damped, order=2, damping_order=1)
+        >>> flow.slow_flow["amplitude"], flow.slow_flow.to_sympy("amplitude")
+        ('-4/(3*pi)*c*A^2', -4*A**2*c/(3*pi))
+        """
+        known = {str(symbol): symbol for symbol in symbols}
+        value = self[name]
+        if value is None:
+            return None
+        if isinstance(value, list):
+            return [_formula(name, it, known) for it in value]
+        return _formula(name, value, known)
 
     def to_dict(self) -> dict[str, Any]:
         """A copy as Python's own lists and dicts: what the JSON of the command has."""
@@ -159,8 +193,8 @@ class Rows(Sequence[Fields]):
 
 
 class Answer(Fields):
-    """The result of a command: ``answer["field"]`` is what the JSON of the command has,
-    ``answer.field`` the same with arrays and `Rows`.
+    """The result of a command: ``answer["field"]`` is what the JSON of the command has, where
+    sentences name arguments in place of options, ``answer.field`` the same with arrays and `Rows`.
     """
 
     __slots__ = ("_asked", "_drawing")
@@ -346,6 +380,15 @@ def answer(kind: type[A], words: str, given: Mapping[str, Any]) -> A:
         partial = kind(fields, question, drawing) if fields else None
         raise Interrupted(partial) from error
     return kind(fields, question, drawing)
+
+
+def _formula(name: str, text: Any, symbols: dict[str, Any]) -> Any:
+    try:
+        if isinstance(text, str):
+            return constant_of_sympy(text, symbols)
+    except (SyntaxError, ValueError):
+        pass
+    raise TypeError(f"`{name}` is not a formula: {_short(text)}")
 
 
 def _seen(value: Any) -> Any:

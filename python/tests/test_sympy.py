@@ -294,3 +294,66 @@ def test_the_surface_of_a_section_may_be_of_sympy():
 
     for surface in (theta - sympy.Rational(1, 2), Eq(theta, sympy.Rational(1, 2))):
         assert points(surface) == points("theta - 1/2")
+
+
+# Equations with damping c, and the lowest powers of A and of c that the slow flow leaves out of the residual.
+DAMPED = ["x'' + 2*c*x' + x + x^3 = 0", "x'' - c*(1 - x^2)*x' + x + x^2/3 = 0"]
+
+
+@pytest.mark.parametrize("equation", DAMPED)
+def test_slow_flows_in_sympy_solve_their_equations(equation):
+    """The residual falls by 2^5 with the amplitude, without the second power of the damping."""
+    flow = questions.expand(equation, order=4, damping_order=1)
+    rates = [flow.slow_flow.to_sympy(name) for name in ("amplitude", "phase")]
+    letters = [Symbol(flow.letters[name]) for name in ("amplitude", "phase")]
+    c, (amplitude, phase) = Symbol("c"), letters
+    moved = flow.to_sympy("displacement")
+
+    def by_time(it):
+        return sum(rate * it.diff(letter) for rate, letter in zip(rates, letters))
+
+    names = {"x''": "acceleration", "x'": "velocity"}
+    text = equation.split("=")[0]
+    for name, word in names.items():
+        text = text.replace(name, word)
+    velocity = by_time(moved)
+    of = {"x": moved, "velocity": velocity, "acceleration": by_time(velocity)}
+    residual = constant_of_sympy(text, {}).subs(of)
+    first = residual.subs(c, 0) + c * residual.diff(c).subs(c, 0)
+    at = [first.subs({c: 0.1, phase: 0.7, amplitude: size}).evalf(30) for size in (0.02, 0.01)]
+    assert 4.8 < sympy.log(abs(at[0] / at[1]), 2).evalf() < 5.2
+
+
+def test_formulas_of_answers_are_formulas_of_sympy():
+    """Capitals and words that SymPy reads otherwise are symbols; symbols keep their assumptions."""
+    equation = "x'' + 2*eps*lambda*x' + E^2*x + eps*beta*x^3 = eps*F*cos(W*t)"
+    answer = questions.expand(equation, resonance="1/1")
+    E, A, eps, beta, sigma, phi, F = sympy.symbols("E A eps beta sigma phi F")
+    phase = answer.slow_flow.to_sympy("phase")
+    expected = eps * (3 * beta * A**2 / (8 * E) - sigma - F * sympy.cos(phi) / (2 * E * A))
+    assert sympy.expand(phase - expected) == 0
+    positive = Symbol("beta", positive=True)
+    drive = answer.steady_state.to_sympy("critical_drive", [positive])
+    assert positive in drive.free_symbols and not drive.has(sympy.Abs)
+    assert len(answer.steady_state.to_sympy("equations")) == 2
+    assert answer.steady_state.to_sympy("limit_cycle_amplitude") is None
+    for name in ("equation", "schema", "letters"):
+        with pytest.raises(TypeError, match=f"`{name}` is not a formula"):
+            answer.to_sympy(name)
+    with pytest.raises(KeyError, match="no field `amplitude`"):
+        answer.to_sympy("amplitude")
+
+
+def test_expansions_that_are_none_name_what_has_a_result():
+    with pytest.raises(errors.ExpansionError, match="no stable limit cycle") as told:
+        lb.expand("x'' + c*x' + x = 0")
+    assert told.value.hint == "questions.expand with damping_order=2 gives the rate of the amplitude"
+    assert str(told.value).endswith(f"\nhint: {told.value.hint}")
+    with pytest.raises(errors.ExpansionError) as told:
+        lb.expand("x'' = x")
+    assert told.value.hint is None and "hint" not in str(told.value)
+
+
+def test_notes_name_arguments():
+    with pytest.warns(UserWarning, match=r"this is the slow flow \(damping_order\)"):
+        questions.expand("x'' + c*x'*abs(x') + x = 0", order=2)

@@ -71,6 +71,10 @@ impl Host for Conversation {
         self.notes.lock().unwrap_or_else(PoisonError::into_inner).push(sentence.to_owned());
     }
 
+    fn words(&self) -> &dyn Words {
+        &PythonWords
+    }
+
     fn takes_chart(&self) -> bool {
         self.takes_chart
     }
@@ -123,7 +127,7 @@ pub(crate) fn ask(
 }
 
 /// The names of parameters and queries in the Python package.
-struct PythonWords;
+pub(crate) struct PythonWords;
 
 impl Words for PythonWords {
     fn parameter(&self, parameter: &QueryParameter) -> String {

@@ -4,16 +4,19 @@ use libration::algebra::{LaurentPolynomial, Rational};
 use libration::catalogue::is_like_a_key;
 use libration::comparison::{SeriesComparison, SeriesQuantity};
 use libration::expression::{Equation, Expression};
-use libration::oscillator::{NamedOscillator, NumbersOrLetters, Oscillator};
+use libration::oscillator::{NamedOscillator, NumbersOrLetters, Oscillator, Remedy};
 use libration::perturbation::{
     self, AmplitudeSeries, Certainty, Expansion, ExpansionError, ExpansionVariable, Gauge, PhaseOrigin,
     Precision, SymbolicExpansion, SymbolicExpansionError, expand_symbolically, expand_with_constants,
 };
 use libration::progress::{Progress, Quiet};
+use libration_queries::hint_to;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::fmt::Display;
 use std::sync::OnceLock;
 
+use crate::asking::PythonWords;
 use crate::errors::{ExpansionError as Refused, UnknownKeyError, refusal};
 use crate::progress::CallProgress;
 
@@ -63,7 +66,7 @@ impl ExpansionArguments {
         let equation = self.equation()?;
         let about = self.3.as_deref().map(str::parse::<Expression>).transpose();
         let about = about.map_err(refusal::<Refused>)?;
-        NumbersOrLetters::new(&equation, about.as_ref()).map_err(refusal::<Refused>)
+        NumbersOrLetters::new(&equation, about.as_ref()).map_err(|error| without(&error, &error.remedies()))
     }
 
     fn equation(&self) -> PyResult<Equation> {
@@ -84,6 +87,16 @@ impl ExpansionArguments {
     }
 }
 
+/// The absence of an expansion, with a hint to what has a result.
+fn without(error: &impl Display, remedies: &[Remedy]) -> PyErr {
+    let hint = hint_to(remedies, &PythonWords);
+    let exception = refusal::<Refused>(match &hint {
+        Some(hint) => format!("{error}\nhint: {hint}"),
+        None => error.to_string(),
+    });
+    Python::attach(|py| exception.value(py).setattr("hint", hint)).err().unwrap_or(exception)
+}
+
 /// Computes the expansion; `None` if it was stopped before any order was certain.
 fn expanded(
     oscillator: NumbersOrLetters,
@@ -100,7 +113,7 @@ fn expanded(
             let expansion = match perturbation::expand(&oscillator, order, gauge, progress) {
                 Ok(expansion) => Some(Box::new(expansion)),
                 Err(ExpansionError::Interrupted { known: partial }) => partial,
-                Err(error) => return Err(refusal::<Refused>(error)),
+                Err(error) => return Err(without(&error, &error.remedies())),
             };
             let oscillator = Box::new(oscillator);
             Ok(expansion.map(|expansion| Found::Numbers { oscillator, expansion }))

@@ -61,7 +61,7 @@ pub use command::parameter_type::ParameterType;
 pub use host::{Host, InputFile};
 pub use query_error::parameter::Parameter as QueryParameter;
 pub use query_error::text::{MarkedWords, Words};
-pub use query_error::{Kind, QueryError, refusal};
+pub use query_error::{Kind, QueryError, hint_to, refusal};
 pub use questions::{ParameterDescription, ParameterKind, Question, questions};
 pub use run::{Run, ask, ensemble};
 pub use sweep::{AxisValues, SweepChunk, SweepPlan};

@@ -566,7 +566,6 @@ fn slow_flows_that_cannot_be_are_refused() {
         (&["expand", "x''+c*x'*abs(x')+x=0", "--small", "c", "--gauge", "fundamental"], 2, "give x_max"),
         (&["expand", "damped_pendulum", "--evaluate", "1"], 2, "not a series at one amplitude"),
         (&["expand", "damped_pendulum", "--about", "pi"], 2, "nearest to zero"),
-        (&["expand", "damped_pendulum", "--format", "c"], 2, "written as text"),
         (&["expand", "damped_pendulum", "--damping-order", "21"], 2, "20"),
     ] {
         let message = refusal(arguments, status);

@@ -372,6 +372,53 @@ fn slow_flows_in_fortran_are_their_formulas() {
     assert_flows("fortran", |name| format!("{name}_real64"), program, ran);
 }
 
+/// Compares the functions of a slow flow of damping with the sums of the coefficients in its CSV.
+const SUMMED: &str = r#"
+import csv, inspect, math, sys
+code, table, amplitude, phase, strength = sys.argv[1:]
+at = {amplitude: 0.4, phase: 1.1, strength: 0.3}
+exec(code)
+sums = {"amplitude": 0.0, "phase": 0.0, "displacement": 0.0}
+for row in csv.DictReader(table.splitlines()):
+    term = float(row["value"])*0.3**int(row["parameter_power"])*0.4**int(row["amplitude_power"])
+    wave, *numbers = row["quantity"].split("_")
+    if wave in ("cos", "sin"):
+        k, power = map(int, numbers)
+        sums["displacement"] += term*1.1**power*getattr(math, wave)(k*1.1)
+    else:
+        sums[wave] += term
+for name, expected in sums.items():
+    of = globals()[name]
+    value = of(**{word: at[word] for word in inspect.signature(of).parameters})
+    assert abs(value - expected) < 1e-14, (name, value, expected)
+"#;
+
+/// Whole and half swings, π and roots in coefficients, a mean, and an equation whose displacement or strength is called as the amplitude or the phase.
+#[test]
+fn slow_flows_of_damping_are_their_coefficients_as_functions() {
+    for (equation, letters) in [
+        ("x'' + 2*mu*x' + sin(x) = 0", ["A", "psi", "mu"]),
+        ("x'' + c*x'*abs(x') + x + x^3 = 0", ["A", "psi", "c"]),
+        ("x'' + 2*x + c*sign(x') = 0", ["A", "psi", "c"]),
+        ("A'' + psi*(A^2 - 1)*A' + A = 0", ["A_1", "psi_1", "psi"]),
+    ] {
+        let question = ["expand", equation, "--order", "4", "--damping-order", "2"];
+        let written = |form: &[&str]| String::from_utf8(run(&[&question, form].concat()).stdout).unwrap();
+        let flow: Value = serde_json::from_str(&written(&["--json"])).unwrap();
+        assert_eq!(
+            [&flow["letters"]["amplitude"], &flow["letters"]["phase"], &flow["small_parameter"]],
+            letters
+        );
+        let code = written(&["--format", "python"]);
+        let table = written(&["--csv"]);
+        let arguments = ["-c", SUMMED, &code, &table].into_iter().chain(letters);
+        let output = Command::new("python3").args(arguments).output().unwrap();
+        assert!(output.status.success(), "{equation}: {}\n{code}", message(&output));
+        let text = written(&[]);
+        assert!(text.contains(&format!("\n{}′ = ", letters[0])), "{text}");
+    }
+}
+
 /// Fortran has one name for X and x: the second function gets another.
 #[test]
 fn coordinates_that_differ_by_a_capital_have_functions_in_fortran() {

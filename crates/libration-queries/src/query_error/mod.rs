@@ -135,8 +135,10 @@ impl QueryError {
 
     /// The same error with queries that have a result instead.
     pub(crate) fn with_remedies(self, remedies: &[Remedy]) -> Self {
-        let sentences: Vec<_> = remedies.iter().map(|remedy| sentence(*remedy)).collect();
-        if sentences.is_empty() { self } else { self.with_hint(&sentences.join("; ")) }
+        match sentences(remedies) {
+            Some(hint) => self.with_hint(&hint),
+            None => self,
+        }
     }
 
     /// The same error with a hint, in which parameters and queries are marked.
@@ -310,6 +312,27 @@ impl From<Error> for QueryError {
             item: None,
         }))
     }
+}
+
+/// The hint to what has a result, in the words of a front end; `None` without remedies.
+///
+/// # Examples
+/// ```
+/// use libration::oscillator::Remedy;
+/// use libration_queries::{MarkedWords, hint_to};
+///
+/// let hint = hint_to(&[Remedy::Simulation], &MarkedWords);
+/// assert!(hint.is_some_and(|hint| hint.ends_with("follows the motion")));
+/// assert_eq!(hint_to(&[], &MarkedWords), None);
+/// ```
+#[must_use]
+pub fn hint_to(remedies: &[Remedy], words: &dyn Words) -> Option<String> {
+    Some(Text::marked(&sentences(remedies)?).in_words(words))
+}
+
+fn sentences(remedies: &[Remedy]) -> Option<String> {
+    let sentences: Vec<_> = remedies.iter().map(|remedy| sentence(*remedy)).collect();
+    (!sentences.is_empty()).then(|| sentences.join("; "))
 }
 
 /// The query of a remedy, marked.

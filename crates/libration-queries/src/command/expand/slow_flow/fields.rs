@@ -38,6 +38,16 @@ pub(super) fn of_flow() -> Fields<SlowFlowResult> {
         Of::value("omega0_squared", "", "square of the angular frequency ω0 of small oscillations", |result| {
             result.flow.omega0_squared.to_string().into()
         }),
+        Of::value("letters.NAME", "", "symbol in the formulas that has this meaning: amplitude, phase", |result| {
+            json::object(["amplitude", "phase"].map(str::to_owned).into_iter().zip(result.letters()))
+        }),
+        Of::nested("slow_flow.", &of_rates(), |result| of_rates().record(result).into()),
+        Of::value(
+            "displacement",
+            "",
+            "formula of the displacement from the equilibrium; with half_swing for phases from 0 to pi, and the opposite at pi more",
+            |result| result.displacement().into(),
+        ),
         Of::value(
             "amplitude_rate[][]",
             "",
@@ -55,6 +65,18 @@ pub(super) fn of_flow() -> Fields<SlowFlowResult> {
         Of::nested("limit_cycles[].", &of_cycle(), |result| of_cycle().records(&result.flow.limit_cycles())),
     ])
     .and(leading_cycles::of_answer())
+}
+
+fn of_rates() -> Fields<SlowFlowResult> {
+    type Of = Field<SlowFlowResult>;
+    Fields::from([
+        Of::value("amplitude", "", "formula of the rate of the amplitude", |result| {
+            result.rates()[0].as_str().into()
+        }),
+        Of::value("phase", "", "formula of the rate of the phase", |result| {
+            result.rates()[1].as_str().into()
+        }),
+    ])
 }
 
 fn of_cycle() -> Fields<SlowLimitCycle> {

@@ -1,6 +1,7 @@
 //! A slow flow to read, and in LaTeX.
 
 use super::{SlowFlowResult, leading_cycles};
+use crate::output::formulas;
 use crate::output::number::short;
 use crate::output::series::{Style, superscript, wrapped};
 use crate::output::table::write_text;
@@ -20,29 +21,37 @@ pub(super) fn write(out: &mut dyn Write, answer: &SlowFlowResult) -> io::Result<
     write_text(out, "", &format!("about {variable} = {equilibrium}, where ω0² = {square}"))?;
     write_text(out, "", &meaning(answer))?;
     writeln!(out)?;
-    let names = PolynomialNotation { parameter: &flow.parameter, style: Style::Text };
-    for (name, series) in [("A′ = ", &flow.amplitude_rate), ("ψ′ = ", &flow.phase_rate)] {
-        writeln!(out, "{}", wrapped(name, &names.series(series), COLUMN))?;
+    let [amplitude, phase] = letters(answer, Style::Text);
+    let names = PolynomialNotation { parameter: &flow.parameter, amplitude: &amplitude, style: Style::Text };
+    for (name, series) in [(&amplitude, &flow.amplitude_rate), (&phase, &flow.phase_rate)] {
+        writeln!(out, "{}", wrapped(&format!("{name}′ = "), &names.series(series), COLUMN))?;
     }
     writeln!(out, "\n{}:", motion_title(answer))?;
-    for (name, series) in of_motion(flow, Style::Text) {
+    for (name, series) in of_motion(flow, &phase, Style::Text) {
         writeln!(out, "{}", wrapped(&format!("{name}: "), &names.series(series), COLUMN))?;
     }
-    write_cycles(out, flow)?;
+    write_cycles(out, flow, &amplitude)?;
     writeln!(out)?;
     write_text(out, "", "all coefficients are exact")?;
     leading_cycles::write(out, answer)
 }
 
+/// The symbols of amplitude and phase in a notation.
+fn letters(answer: &SlowFlowResult, style: Style) -> [String; 2] {
+    answer.letters().map(|letter| match style {
+        Style::Latex => formulas::latex(&letter),
+        _ => letter.replace("psi", "ψ"),
+    })
+}
+
 /// The limit cycles, with decimal coefficients.
-fn write_cycles(out: &mut dyn Write, flow: &SlowFlow) -> io::Result<()> {
+fn write_cycles(out: &mut dyn Write, flow: &SlowFlow, amplitude: &str) -> io::Result<()> {
     for cycle in flow.limit_cycles() {
         let side = if cycle.exponent.get(1).is_some_and(|rate| *rate < 0.0) { ">" } else { "<" };
         writeln!(out, "\nlimit cycle, in digits, attracting for {} {side} 0:", flow.parameter)?;
-        let lines =
-            [("A = ", &cycle.amplitude), ("Ω = ", &cycle.frequency), ("exponent = ", &cycle.exponent)];
+        let lines = [(amplitude, &cycle.amplitude), ("Ω", &cycle.frequency), ("exponent", &cycle.exponent)];
         for (name, series) in lines {
-            writeln!(out, "{}", wrapped(name, &in_digits(series, &flow.parameter), COLUMN))?;
+            writeln!(out, "{}", wrapped(&format!("{name} = "), &in_digits(series, &flow.parameter), COLUMN))?;
         }
     }
     Ok(())
@@ -68,11 +77,12 @@ fn in_digits(series: &[f64], parameter: &str) -> String {
 
 fn meaning(answer: &SlowFlowResult) -> String {
     let SlowFlow { parameter, order, parameter_order, gauge, .. } = &answer.flow;
+    let [amplitude, phase] = letters(answer, Style::Text);
     let gauge = match gauge {
-        Gauge::XMax => "A is the displacement where the motion turns, at ψ = 0",
-        _ => "A is the coefficient of cos ψ, and there is no sin ψ",
+        Gauge::XMax => format!("{amplitude} is the displacement where the motion turns, at {phase} = 0"),
+        _ => format!("{amplitude} is the coefficient of cos {phase}, and there is no sin {phase}"),
     };
-    format!("slow flow to A{} and {parameter}{}: {gauge}", power(*order), power(*parameter_order))
+    format!("slow flow to {amplitude}{} and {parameter}{}: {gauge}", power(*order), power(*parameter_order))
 }
 
 fn power(number: usize) -> String {
@@ -81,15 +91,20 @@ fn power(number: usize) -> String {
 
 fn motion_title(answer: &SlowFlowResult) -> String {
     let (variable, flow) = (&answer.subject.variable, &answer.flow);
+    let [amplitude, phase] = letters(answer, Style::Text);
     let offset = if flow.equilibrium.is_zero() { String::new() } else { format!(" - {}", flow.equilibrium) };
-    let whole = format!("{variable}(A, ψ){offset} is the sum of");
-    if flow.half_swing { format!("for 0 ≤ ψ ≤ π {whole}, and the opposite at ψ + π") } else { whole }
+    let whole = format!("{variable}({amplitude}, {phase}){offset} is the sum of");
+    if flow.half_swing {
+        format!("for 0 ≤ {phase} ≤ π {whole}, and the opposite at {phase} + π")
+    } else {
+        whole
+    }
 }
 
 /// The functions of the phase in the motion, each with its factor.
-fn of_motion(flow: &SlowFlow, style: Style) -> Vec<(String, &SlowSeries)> {
+fn of_motion<'a>(flow: &'a SlowFlow, phase: &str, style: Style) -> Vec<(String, &'a SlowSeries)> {
     let present = |series: &SlowSeries| series.iter().flatten().any(|value| !value.is_zero());
-    let each = |term: &'_ PhaseTerm, name: &str| function_name(term, name, style);
+    let each = |term: &'_ PhaseTerm, name: &str| function_name(term, name, phase, style);
     let both = flow
         .motion
         .iter()
@@ -98,8 +113,7 @@ fn of_motion(flow: &SlowFlow, style: Style) -> Vec<(String, &SlowSeries)> {
 }
 
 /// `ψ² cos 3ψ`, and `1` for the mean.
-fn function_name(term: &PhaseTerm, function: &str, style: Style) -> String {
-    let psi = if style == Style::Text { "ψ" } else { r"\psi" };
+fn function_name(term: &PhaseTerm, function: &str, psi: &str, style: Style) -> String {
     let powers = match (term.power, style) {
         (0, _) => String::new(),
         (1, _) => format!("{psi} "),
@@ -118,6 +132,7 @@ fn function_name(term: &PhaseTerm, function: &str, style: Style) -> String {
 /// The notation of the terms of polynomials.
 struct PolynomialNotation<'a> {
     parameter: &'a str,
+    amplitude: &'a str,
     style: Style,
 }
 
@@ -138,7 +153,7 @@ impl PolynomialNotation<'_> {
     }
 
     fn term(&self, value: &PiSum, [j, n]: [usize; 2]) -> String {
-        let powers = [(self.parameter, j), ("A", n)].map(|(name, power)| self.power(name, power));
+        let powers = [(self.parameter, j), (self.amplitude, n)].map(|(name, power)| self.power(name, power));
         let powers: Vec<String> = powers.into_iter().filter(|text| !text.is_empty()).collect();
         let powers = powers.join(" ");
         let factor = self.coefficient(value);
@@ -188,23 +203,17 @@ pub fn in_letters(text: &str) -> String {
 /// The polynomials as display equations.
 pub(super) fn write_latex(out: &mut dyn Write, answer: &SlowFlowResult) -> io::Result<()> {
     let flow = &answer.flow;
-    let parameter = flow
-        .parameter
-        .parse()
-        .map_or_else(|_| flow.parameter.clone(), |expression: Expression| expression.to_latex());
-    let names = PolynomialNotation { parameter: &parameter, style: Style::Latex };
+    let parameter = formulas::latex(&flow.parameter);
+    let [amplitude, phase] = letters(answer, Style::Latex);
+    let names = PolynomialNotation { parameter: &parameter, amplitude: &amplitude, style: Style::Latex };
     writeln!(out, "\\[ {} \\]", answer.subject.equation_latex)?;
     writeln!(out, "\\begin{{align*}}")?;
-    writeln!(out, "  \\dot A &= {} \\\\", names.series(&flow.amplitude_rate))?;
-    writeln!(out, "  \\dot\\psi &= {}", names.series(&flow.phase_rate))?;
+    writeln!(out, "  \\dot {amplitude} &= {} \\\\", names.series(&flow.amplitude_rate))?;
+    writeln!(out, "  \\dot {phase} &= {}", names.series(&flow.phase_rate))?;
     writeln!(out, "\\end{{align*}}")?;
-    let variable = answer
-        .subject
-        .variable
-        .parse()
-        .map_or_else(|_| answer.subject.variable.clone(), |expression: Expression| expression.to_latex());
+    let variable = formulas::latex(&answer.subject.variable);
     let offset = if flow.equilibrium.is_zero() { String::new() } else { format!(" - {}", flow.equilibrium) };
-    let terms = of_motion(flow, Style::Latex);
+    let terms = of_motion(flow, &phase, Style::Latex);
     let terms: Vec<String> = terms
         .into_iter()
         .map(|(name, series)| {
@@ -213,7 +222,7 @@ pub(super) fn write_latex(out: &mut dyn Write, answer: &SlowFlowResult) -> io::R
         })
         .collect();
     writeln!(out, "\\begin{{align*}}")?;
-    let range = if flow.half_swing { r",\quad 0 \le \psi \le \pi" } else { "" };
+    let range = if flow.half_swing { format!(r",\quad 0 \le {phase} \le \pi") } else { String::new() };
     writeln!(out, "  {variable}{offset} &= {}{range}", terms.join(" \\\\\n  &\\quad + "))?;
     writeln!(out, "\\end{{align*}}")
 }

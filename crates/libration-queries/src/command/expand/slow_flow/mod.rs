@@ -1,15 +1,17 @@
 //! The slow flow of a weakly damped or excited oscillator: equations for amplitude and phase.
 
 mod fields;
+mod formulas;
 mod leading_cycles;
 pub(crate) mod listing;
 mod query;
 
+use super::Format;
 use super::subject::{About, Subject};
 use crate::arguments::Asked;
 use crate::interrupt::Cancellation;
 use crate::output::description::Answers;
-use crate::output::{Form, json};
+use crate::output::{Form, formulas as written, json};
 use crate::parallel;
 use crate::query_error::{QueryError, option};
 use libration::comparison::{LeadingLimitCycles, LeadingLimitCyclesError};
@@ -81,14 +83,17 @@ fn failure(error: SlowFlowError) -> QueryError {
 pub(super) fn write(
     out: &mut dyn Write,
     form: Form,
-    latex: bool,
+    format: Option<Format>,
     answer: &SlowFlowResult,
 ) -> Result<(), QueryError> {
-    match form {
-        Form::Json => json::document(out, fields::of_flow().record(answer))?,
-        Form::Csv => fields::of_coefficient().write_csv(out, &fields::coefficients(answer))?,
-        Form::Table if latex => listing::write_latex(out, answer)?,
-        Form::Table => listing::write(out, answer)?,
+    match (format, form) {
+        (Some(Format::Latex), _) => listing::write_latex(out, answer)?,
+        (Some(format), _) => {
+            written::write(out, format, (&answer.subject.equation, &[]), &answer.formulas())?;
+        }
+        (None, Form::Json) => json::document(out, fields::of_flow().record(answer))?,
+        (None, Form::Csv) => fields::of_coefficient().write_csv(out, &fields::coefficients(answer))?,
+        (None, Form::Table) => listing::write(out, answer)?,
     }
     Ok(())
 }

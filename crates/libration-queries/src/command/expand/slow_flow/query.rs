@@ -3,7 +3,7 @@
 use super::{DAMPING_ORDER, SlowFlowResult, write};
 use crate::arguments::Asked;
 use crate::call;
-use crate::command::expand::{Expand, Format, LISTED};
+use crate::command::expand::{Expand, LISTED};
 use crate::query_error::{QueryError, option};
 use libration::oscillator::Remedy;
 use libration::perturbation::Gauge;
@@ -17,8 +17,7 @@ impl Expand {
         out: &mut dyn Write,
         refused: QueryError,
     ) -> Result<(), QueryError> {
-        let is_written = matches!(self.formats.format(), None | Some(Format::Latex));
-        if self.evaluate.is_some() || !is_written {
+        if self.evaluate.is_some() {
             return self.symbolic_flow_or(out, refused);
         }
         let mut answer = vec![];
@@ -53,21 +52,11 @@ impl Expand {
                 "the slow flow is not a series at one amplitude: simulate the motion by <libration simulate>";
             return Err(QueryError::usage(option("evaluate"), reason));
         }
-        let latex = match self.formats.format() {
-            None => false,
-            Some(Format::Latex) => true,
-            Some(_) => {
-                return Err(QueryError::usage(
-                    option("format"),
-                    "a slow flow is written as text, latex, JSON or CSV",
-                ));
-            }
-        };
         let order = self.order.unwrap_or(LISTED);
         let gauge = self.gauge.clone().unwrap_or(Gauge::XMax);
         let orders = [order, self.damping_order.unwrap_or(DAMPING_ORDER)];
         let answer = SlowFlowResult::new(asked, self.small.as_deref(), orders, &gauge)?;
-        write(out, self.form.form(), latex, &answer)?;
+        write(out, self.form.form(), self.formats.format(), &answer)?;
         Ok(out.flush()?)
     }
 }
