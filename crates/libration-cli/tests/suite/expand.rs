@@ -100,11 +100,37 @@ fn a_pure_power_has_a_scaling_law() {
     for (words, part) in [
         (&["expand", "x''+k*x^3=0", "--evaluate", "1"][..], "give values to its symbols with --set"),
         (&["expand", "pure_cubic", "--evaluate", "0"], "give a finite number above zero"),
-        (&["expand", "pure_cubic", "--format", "c"], "a scaling law is written as text, latex, JSON or CSV"),
     ] {
         let refused = refusal(words, 2);
         assert!(refused.contains(part), "{refused}");
     }
+}
+
+/// The expansion parameter and the amplitudes are numbered where the equation has their names.
+#[test]
+fn symbols_of_the_equation_are_not_those_of_the_series() {
+    let duffing = "expand duffing --letters epsilon --order 3";
+    assert!(text(duffing).contains("\nΩ/ω0 = 1 + 3*epsilon/8 ε_1²\na₁ = ε_1\n"));
+    let latex = text(&format!("{duffing} --latex"));
+    assert!(latex.contains(r"1 + \frac{3 \epsilon}{8} \epsilon_{1}^{2} \\"), "{latex}");
+    let mathml = text(&format!("{duffing} --format mathml"));
+    assert!(mathml.contains("<msup><msub><mi>ε</mi><mn>1</mn></msub><mn>2</mn></msup>"), "{mathml}");
+    assert_eq!(json(duffing)["variable"], "epsilon_1");
+    assert!(text(&format!("{duffing} --csv")).contains("\nfrequency_ratio,epsilon_1,2,3*epsilon/8\n"));
+    let question = "expand x''+x+A*x^2+h*x^3=0 --order 3";
+    let shown = text(question);
+    for part in [
+        "ε² + ",
+        "of the largest displacement A_1:",
+        "(-h/32 - A^2/48) h_1³",
+        "half the swing h_1:",
+        "A/3 A_1²",
+    ] {
+        assert!(shown.contains(part), "{part}: {shown}");
+    }
+    assert!(text(&format!("{question} --latex")).contains(r"\frac{A}{3} A_{1}^{2}"));
+    let law = text("expand A''+C*A^3=0");
+    assert!(law.contains("Ω = C_1·√C·A_1\n") && law.contains("a₁/A_1 = 0.955"), "{law}");
 }
 
 #[test]

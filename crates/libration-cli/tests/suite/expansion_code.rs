@@ -419,6 +419,21 @@ fn slow_flows_of_damping_are_their_coefficients_as_functions() {
     }
 }
 
+/// The frequency is that of `--evaluate`; six harmonics miss less than 1e-7 of a cubic oscillator's displacement where it turns.
+#[test]
+fn scaling_laws_are_functions() {
+    let question = ["expand", "x''+k*x^3=0"];
+    let code = String::from_utf8(run(&[&question[..], &["--format", "python"]].concat()).stdout).unwrap();
+    let frequency = &json("expand x''+k*x^3=0 --set k=3 --evaluate 2")["angular_frequency_rad_per_s"];
+    let printed = format!(
+        "{code}\nassert abs(angular_frequency(2.0, 3.0) - {frequency}) < 1e-14\n\
+         assert abs(period(2.0, 3.0)*{frequency} - 6.283185307179586) < 1e-14\n\
+         assert abs(displacement(2.0, 0.0) - 2.0) < 2e-7\n"
+    );
+    let output = Command::new("python3").args(["-c", &printed]).output().unwrap();
+    assert!(output.status.success(), "{}\n{printed}", message(&output));
+}
+
 /// Fortran has one name for X and x: the second function gets another.
 #[test]
 fn coordinates_that_differ_by_a_capital_have_functions_in_fortran() {

@@ -81,6 +81,18 @@ impl<C> ExpandResult<C> {
         Self { is_angle: is_angle_name(&subject.variable), subject, letters, expansion, interrupted }
     }
 
+    /// The symbol of a quantity of the result, numbered where the equation has its name.
+    pub(super) fn symbol(&self, name: &str) -> String {
+        let symbols = self.letters.as_ref().map_or(&[][..], |letters| &letters.names);
+        self.subject.free(name, symbols)
+    }
+
+    /// The symbol of the expansion parameter; that of a strength is the equation's own.
+    pub(super) fn variable(&self) -> String {
+        let variable = &self.expansion.variable;
+        if variable.is_strength() { variable.name().to_owned() } else { self.symbol(variable.name()) }
+    }
+
     /// The frequency itself, unless it is equal to Ω/ω0.
     pub(super) fn frequency(&self) -> Option<&[C]> {
         let letters = self.letters.as_ref()?;

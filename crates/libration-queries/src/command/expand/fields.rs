@@ -31,9 +31,9 @@ struct OfAmplitude {
 }
 
 /// One coefficient of a series.
-pub(super) struct SeriesCoefficient<'a> {
+pub(super) struct SeriesCoefficient {
     quantity: String,
-    variable: &'a str,
+    variable: String,
     power: usize,
     text: String,
 }
@@ -70,9 +70,7 @@ fn of_setting<C: series::Coefficient>() -> Fields<ExpandResult<C>> {
                 ExpansionVariable::Parameter(_) => Value::Null,
             },
         ),
-        Of::<C>::value("variable", "", "name of the expansion parameter", |answer| {
-            answer.expansion.variable.name().into()
-        }),
+        Of::<C>::value("variable", "", "name of the expansion parameter", |answer| answer.variable().into()),
         Of::<C>::value(
             "phase_origin",
             "",
@@ -221,13 +219,15 @@ fn of_amplitude() -> Fields<OfAmplitude> {
     ])
 }
 
-pub(super) fn of_coefficient<'a>() -> Fields<SeriesCoefficient<'a>> {
-    type Of<'a> = Field<SeriesCoefficient<'a>>;
+pub(super) fn of_coefficient() -> Fields<SeriesCoefficient> {
+    type Of = Field<SeriesCoefficient>;
     Fields::from([
         Of::value("quantity", "", "quantity that is expanded", |coefficient| {
             coefficient.quantity.as_str().into()
         }),
-        Of::value("variable", "", "variable of the power series", |coefficient| coefficient.variable.into()),
+        Of::value("variable", "", "variable of the power series", |coefficient| {
+            coefficient.variable.as_str().into()
+        }),
         Of::value("power", "1", "power", |coefficient| coefficient.power.into()),
         Of::value(
             "coefficient",
@@ -244,18 +244,19 @@ pub(super) fn answers() -> Answers {
 }
 
 /// The coefficients of all series, in the order of JSON; of harmonics in an amplitude without the cosines or the sines that all vanish.
-pub(super) fn coefficients<C: series::Coefficient>(expansion: &Expansion<C>) -> Vec<SeriesCoefficient<'_>> {
+pub(super) fn coefficients<C: series::Coefficient>(answer: &ExpandResult<C>) -> Vec<SeriesCoefficient> {
+    let expansion = &answer.expansion;
     let mut all = vec![];
-    let mut add = |quantity: String, variable, series: SeriesTexts| {
+    let mut add = |quantity: String, variable: &str, series: SeriesTexts| {
         let each = series.into_iter().enumerate();
         all.extend(each.map(|(power, text)| SeriesCoefficient {
             quantity: quantity.clone(),
-            variable,
+            variable: variable.to_owned(),
             power,
             text,
         }));
     };
-    let variable = expansion.variable.name();
+    let variable = &answer.variable();
     add("frequency_ratio".to_owned(), variable, texts(expansion, &expansion.frequency_ratio));
     for Harmonic { k, cos, sin } in harmonics(expansion) {
         add(format!("cos_{k}"), variable, cos);

@@ -2,6 +2,7 @@
 
 use super::answer::ExpandResult;
 use super::answer::Letters;
+use crate::output::formulas;
 use crate::output::series::{Coefficient, Notation, Style, subscript, superscript, wrapped};
 use crate::output::table::write_text;
 use libration::expression::Expression;
@@ -16,7 +17,7 @@ const COLUMN: usize = 110;
 pub(super) fn write<C: Coefficient>(out: &mut dyn Write, answer: &ExpandResult<C>) -> io::Result<()> {
     let expansion = &answer.expansion;
     let notation = Notation { precision: expansion.precision, style: Style::Text };
-    let symbols = Symbols::new(&expansion.variable);
+    let symbols = Symbols::new(answer);
     write_head(out, answer)?;
     write_text(out, "", &meaning(expansion, &symbols))?;
     writeln!(out)?;
@@ -24,14 +25,15 @@ pub(super) fn write<C: Coefficient>(out: &mut dyn Write, answer: &ExpandResult<C
         writeln!(out, "{}", wrapped(&name, &text, COLUMN))?;
     }
     let amplitudes = [
-        ("A", "of the largest displacement A", &expansion.of_amplitude),
-        ("h", "of half the swing h", &expansion.of_half_swing),
+        ("A", "of the largest displacement", &expansion.of_amplitude),
+        ("h", "of half the swing", &expansion.of_half_swing),
     ];
     for (symbol, title, of) in
-        amplitudes.into_iter().filter_map(|(s, title, of)| Some((s, title, of.as_ref()?)))
+        amplitudes.into_iter().filter_map(|(s, title, of)| Some((answer.symbol(s), title, of.as_ref()?)))
     {
-        writeln!(out, "\nas functions {title}:")?;
-        for (name, text) in amplitude_lines(of, notation, symbol, (symbols.variable, letter_of(expansion))) {
+        writeln!(out, "\nas functions {title} {symbol}:")?;
+        let names = (&symbols.variable[..], letter_of(expansion));
+        for (name, text) in amplitude_lines(of, notation, &symbol, names) {
             writeln!(out, "{}", wrapped(&name, &text, COLUMN))?;
         }
     }
@@ -46,21 +48,21 @@ pub(super) fn write_head<C: Coefficient>(out: &mut dyn Write, answer: &ExpandRes
 }
 
 /// The symbols of the variables.
-pub(super) struct Symbols<'a> {
-    pub(super) variable: &'a str,
+pub(super) struct Symbols {
+    pub(super) variable: String,
     latex: String,
 }
 
-impl<'a> Symbols<'a> {
-    pub(super) fn new(variable: &'a ExpansionVariable) -> Self {
-        let name = variable.name();
-        let text = match name {
-            "epsilon" => "ε",
-            "mu" => "μ",
-            other => other,
+impl Symbols {
+    pub(super) fn new<C>(answer: &ExpandResult<C>) -> Self {
+        let name = answer.variable();
+        let variable = match &answer.expansion.variable {
+            ExpansionVariable::Epsilon(_) => name.replace("epsilon", "ε"),
+            ExpansionVariable::Parameter(_) if name == "mu" => "μ".to_owned(),
+            ExpansionVariable::Parameter(_) => name.clone(),
         };
-        let latex = name.parse::<Expression>().map_or_else(|_| name.to_owned(), |symbol| symbol.to_latex());
-        Self { variable: text, latex }
+        let latex = name.parse::<Expression>().map_or(name, |symbol| symbol.to_latex());
+        Self { variable, latex }
     }
 }
 
@@ -94,14 +96,13 @@ fn root_in_words<C>(letters: &Letters<C>) -> String {
 }
 
 /// The meaning of the variable, and the order of the series.
-fn meaning<C>(expansion: &Expansion<C>, symbols: &Symbols<'_>) -> String {
+fn meaning<C>(expansion: &Expansion<C>, symbols: &Symbols) -> String {
     let Symbols { variable, .. } = symbols;
-    let power =
-        |n: usize| if n == 1 { (*variable).to_owned() } else { format!("{variable}{}", superscript(n)) };
+    let power = |n: usize| if n == 1 { variable.clone() } else { format!("{variable}{}", superscript(n)) };
     let order = expansion.order;
     match &expansion.variable {
         ExpansionVariable::Epsilon(gauge) => {
-            let gauge = gauge_in_words(gauge, letter_of(expansion));
+            let gauge = gauge_in_words(gauge, (variable, letter_of(expansion)));
             let frequency =
                 if order > 1 { format!("Ω to {}", power(order - 1)) } else { "Ω to order 0".to_owned() };
             let origin = match expansion.phase_origin {
@@ -124,26 +125,27 @@ pub(super) fn left_out<C>(expansion: &Expansion<C>) -> Option<String> {
     Some(format!("there are harmonics without end, those above {above} are left out"))
 }
 
-fn gauge_in_words(gauge: &libration::perturbation::Gauge, letter: &str) -> String {
+fn gauge_in_words(gauge: &libration::perturbation::Gauge, (epsilon, letter): (&str, &str)) -> String {
     use libration::perturbation::Gauge;
-    match gauge {
-        Gauge::Fundamental if letter == "b" => "gauge: ε is the coefficient of sin τ".to_owned(),
-        Gauge::Fundamental => "gauge: ε is the coefficient of cos τ".to_owned(),
-        Gauge::XMax => "gauge: ε is the largest displacement".to_owned(),
-        Gauge::HalfSwing => "gauge: ε is half the distance between the turning points".to_owned(),
-        Gauge::Energy => "gauge: ε = √(2E)/ω0, E the energy above the equilibrium".to_owned(),
-        Gauge::Nome => "gauge: ε = 8√q, q the nome".to_owned(),
-        Gauge::Coefficients(_) => format!("gauge: {gauge} in {letter}₁ = A₁ε + A₂ε² + …"),
-        _ => format!("gauge: {gauge}"),
-    }
+    let meaning = match gauge {
+        Gauge::Fundamental if letter == "b" => format!("{epsilon} is the coefficient of sin τ"),
+        Gauge::Fundamental => format!("{epsilon} is the coefficient of cos τ"),
+        Gauge::XMax => format!("{epsilon} is the largest displacement"),
+        Gauge::HalfSwing => format!("{epsilon} is half the distance between the turning points"),
+        Gauge::Energy => format!("{epsilon} = √(2E)/ω0, E the energy above the equilibrium"),
+        Gauge::Nome => format!("{epsilon} = 8√q, q the nome"),
+        Gauge::Coefficients(_) => format!("{gauge} in {letter}₁ = A₁{epsilon} + A₂{epsilon}² + …"),
+        _ => gauge.to_string(),
+    };
+    format!("gauge: {meaning}")
 }
 
 fn lines<C: Coefficient>(
     answer: &ExpandResult<C>,
     notation: Notation,
-    symbols: &Symbols<'_>,
+    symbols: &Symbols,
 ) -> Vec<(String, String)> {
-    let (expansion, variable) = (&answer.expansion, symbols.variable);
+    let (expansion, variable) = (&answer.expansion, &symbols.variable);
     let unit = unit(expansion);
     let mut lines = vec![("Ω/ω0 = ".to_owned(), notation.series(&expansion.frequency_ratio, variable))];
     if let Some(frequency) = answer.frequency() {
@@ -281,7 +283,7 @@ fn checked_with_letters(certificate: Certificate) -> String {
 pub(super) fn write_latex<C: Coefficient>(out: &mut dyn Write, answer: &ExpandResult<C>) -> io::Result<()> {
     let expansion = &answer.expansion;
     let notation = Notation { precision: expansion.precision, style: Style::Latex };
-    let symbols = Symbols::new(&expansion.variable);
+    let symbols = Symbols::new(answer);
     let unit = match expansion.unit_squared.written(Precision::Exact).as_str() {
         "1" => String::new(),
         squared => format!(r"\sqrt{{{squared}}}\,"),
@@ -305,7 +307,7 @@ pub(super) fn write_latex<C: Coefficient>(out: &mut dyn Write, answer: &ExpandRe
     writeln!(out, "\\end{{align*}}")?;
     for (symbol, of) in [("A", &expansion.of_amplitude), ("h", &expansion.of_half_swing)] {
         let Some(of) = of else { continue };
-        let letter = letter_of(expansion);
+        let (letter, symbol) = (letter_of(expansion), formulas::latex(&answer.symbol(symbol)));
         writeln!(out, "\\begin{{align*}}")?;
         let series = [
             (r"\frac{\Omega}{\omega_0}".to_owned(), &of.frequency_ratio),
@@ -316,7 +318,7 @@ pub(super) fn write_latex<C: Coefficient>(out: &mut dyn Write, answer: &ExpandRe
         let lines: Vec<String> = series
             .into_iter()
             .chain(harmonics)
-            .map(|(name, series)| format!("  {name} &= {}", notation.series(series, symbol)))
+            .map(|(name, series)| format!("  {name} &= {}", notation.series(series, &symbol)))
             .collect();
         writeln!(out, "{}", lines.join(" \\\\\n"))?;
         writeln!(out, "\\end{{align*}}")?;

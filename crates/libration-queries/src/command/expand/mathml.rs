@@ -10,7 +10,7 @@ use std::io::{self, Write};
 pub(super) fn write<C: Coefficient>(out: &mut dyn Write, answer: &ExpandResult<C>) -> io::Result<()> {
     let expansion = &answer.expansion;
     writeln!(out, "{}", display(&element("mtext", &[&answer.subject.equation])))?;
-    let variable = name(expansion.variable.name());
+    let variable = name(&answer.variable());
     let unit = unit(answer);
     let mut line = |left: String, unit: &str, series: &[C], variable: &str| {
         let notation = Notation { precision: expansion.precision, style: Style::MathMl };
@@ -29,7 +29,7 @@ pub(super) fn write<C: Coefficient>(out: &mut dyn Write, answer: &ExpandResult<C
     line(name("x_min"), &unit, &expansion.x_min, &variable)?;
     for (symbol, of) in [("A", &expansion.of_amplitude), ("h", &expansion.of_half_swing)] {
         let Some(of) = of else { continue };
-        let symbol = name(symbol);
+        let symbol = name(&answer.symbol(symbol));
         line(ratio("Ω", "omega0"), "", &of.frequency_ratio, &symbol)?;
         line(ratio("T", "T0"), "", &of.period_ratio, &symbol)?;
         line(variable.clone(), "", &of.epsilon, &symbol)?;

@@ -5,6 +5,7 @@ use super::{Expand, Format};
 use crate::arguments::Asked;
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
+use crate::output::formulas::{self, Heading, NamedFormula};
 use crate::output::number::short;
 use crate::output::series::subscript;
 use crate::output::table::write_text;
@@ -59,6 +60,48 @@ impl ScalingLawResult {
             )));
         };
         Ok(Self { at: Some((amplitude, frequency)), ..self })
+    }
+
+    /// The symbols of amplitude, phase and C, numbered where the equation has their names.
+    fn symbols(&self) -> [String; 3] {
+        let strength = self.law.force().strength();
+        let taken: Vec<String> = strength.symbols().into_iter().map(|symbol| symbol.name).collect();
+        ["A", "psi", "C"].map(|name| self.subject.free(name, &taken))
+    }
+
+    /// Frequency, period and displacement, with C in digits.
+    fn formulas(&self) -> Vec<NamedFormula> {
+        let law = &self.law;
+        let [amplitude, phase, _] = self.symbols();
+        let (times, over) = match law.force().strength() {
+            one if *one == Expression::from(1) => (String::new(), String::new()),
+            strength => (format!("*sqrt({strength})"), format!("/sqrt({strength})")),
+        };
+        let power = |exponent: Rational| format!("{amplitude}^({exponent})");
+        let exponent = law.amplitude_exponent();
+        let waves = self.harmonics.iter().map(|HarmonicRatio { k, ratio, .. }| {
+            let wave = if *k == 1 { phase.clone() } else { format!("{k}*{phase}") };
+            format!("{ratio:?}*cos({wave})")
+        });
+        let waves: Vec<String> = waves.collect();
+        let frequency = format!("{:?}{times}*{}", law.frequency_factor(), power(exponent.clone()));
+        let period = format!("{:?}{over}*{}", law.period_factor(), power(-exponent));
+        [
+            ("angular_frequency", "the angular frequency at an amplitude", frequency),
+            ("period", "the period", period),
+            (
+                "displacement",
+                "the displacement at an amplitude and a phase",
+                format!("{amplitude}*({})", formulas::sum(&waves)),
+            ),
+        ]
+        .map(|(name, meaning, text)| NamedFormula {
+            name: name.to_owned(),
+            meaning: meaning.to_owned(),
+            left: String::new(),
+            text,
+        })
+        .into()
     }
 
     /// C as a formula.
@@ -159,14 +202,18 @@ fn of_harmonic() -> Fields<HarmonicRatio> {
 pub(super) fn write(
     out: &mut dyn Write,
     form: Form,
-    latex: bool,
+    format: Option<Format>,
     answer: &ScalingLawResult,
 ) -> Result<(), QueryError> {
-    match form {
-        Form::Json => json::document(out, of_law().record(answer))?,
-        Form::Csv => of_harmonic().write_csv(out, &answer.harmonics)?,
-        Form::Table if latex => write_latex(out, answer)?,
-        Form::Table => write_listing(out, answer)?,
+    match (format, form) {
+        (Some(Format::Latex), _) => write_latex(out, answer)?,
+        (Some(format), _) => {
+            let heading = Heading { module: "scaling_law", equations: &answer.subject.equation, latex: &[] };
+            formulas::write(out, format, &heading, &answer.formulas())?;
+        }
+        (None, Form::Json) => json::document(out, of_law().record(answer))?,
+        (None, Form::Csv) => of_harmonic().write_csv(out, &answer.harmonics)?,
+        (None, Form::Table) => write_listing(out, answer)?,
     }
     Ok(())
 }
@@ -175,31 +222,32 @@ fn write_listing(out: &mut dyn Write, answer: &ScalingLawResult) -> io::Result<(
     let law = &answer.law;
     answer.subject.write(out)?;
     let (variable, centre) = (&answer.subject.variable, law.force().centre());
+    let [amplitude, _, constant] = &answer.symbols();
     let words = format!(
-        "about {variable} = {centre}: no small oscillations to expand about, as motions of all amplitudes A are alike",
+        "about {variable} = {centre}: no small oscillations to expand about, as motions of all amplitudes {amplitude} are alike",
     );
     write_text(out, "", &words)?;
     writeln!(out)?;
-    let (root, power) = (root_of_strength(law), power_of_amplitude(&law.amplitude_exponent()));
-    let opposite = power_of_amplitude(&-law.amplitude_exponent());
-    writeln!(out, "Ω = C{root}{power}")?;
-    let divisor = if root.is_empty() { "C".to_owned() } else { format!("(C{root})") };
-    writeln!(out, "T = 2π/{divisor}{opposite}")?;
-    writeln!(out, "C = {}", answer.constant_in_words())?;
+    let power = |exponent: Rational| power_of_amplitude(amplitude, &exponent);
+    let root = root_of_strength(law);
+    writeln!(out, "Ω = {constant}{root}{}", power(law.amplitude_exponent()))?;
+    let divisor = if root.is_empty() { constant.clone() } else { format!("({constant}{root})") };
+    writeln!(out, "T = 2π/{divisor}{}", power(-law.amplitude_exponent()))?;
+    writeln!(out, "{constant} = {}", answer.constant_in_words())?;
     writeln!(
         out,
         "  = {:.15}, error below {:.0e}",
         law.frequency_factor(),
         law.frequency_factor_uncertainty()
     )?;
-    writeln!(out, "2π/C = {:.15}", law.period_factor())?;
+    writeln!(out, "2π/{constant} = {:.15}", law.period_factor())?;
     writeln!(out, "\nharmonics at every amplitude:")?;
     for HarmonicRatio { k, ratio, uncertainty } in &answer.harmonics {
-        writeln!(out, "a{}/A = {ratio:.15}, error below {uncertainty:.0e}", subscript(*k))?;
+        writeln!(out, "a{}/{amplitude} = {ratio:.15}, error below {uncertainty:.0e}", subscript(*k))?;
     }
-    if let Some((amplitude, frequency)) = answer.at {
+    if let Some((at, frequency)) = answer.at {
         let period = std::f64::consts::TAU / frequency;
-        writeln!(out, "\nat A = {}: Ω = {frequency:.14}, T = {period:.14}", short(amplitude, 12))?;
+        writeln!(out, "\nat {amplitude} = {}: Ω = {frequency:.14}, T = {period:.14}", short(at, 12))?;
     }
     Ok(())
 }
@@ -216,10 +264,10 @@ fn root_of_strength(law: &ScalingLaw) -> String {
     }
 }
 
-fn power_of_amplitude(exponent: &Rational) -> String {
+fn power_of_amplitude(amplitude: &str, exponent: &Rational) -> String {
     match exponent.to_string().as_str() {
-        "1" => "·A".to_owned(),
-        text => format!("·A^({text})"),
+        "1" => format!("·{amplitude}"),
+        text => format!("·{amplitude}^({text})"),
     }
 }
 
@@ -229,17 +277,18 @@ fn write_latex(out: &mut dyn Write, answer: &ScalingLawResult) -> io::Result<()>
         one if *one == Expression::from(1) => String::new(),
         strength => format!(r"\sqrt{{{}}}\,", strength.to_latex()),
     };
+    let [amplitude, _, constant] = &answer.symbols().map(|name| formulas::latex(&name));
     let power = match law.amplitude_exponent() {
-        one if one == Rational::from(1) => "A".to_owned(),
-        exponent => format!("A^{{{}}}", in_latex(&exponent)),
+        one if one == Rational::from(1) => amplitude.clone(),
+        exponent => format!("{amplitude}^{{{}}}", in_latex(&exponent)),
     };
     writeln!(out, "\\[ {} \\]", answer.subject.equation_latex)?;
     writeln!(out, "\\begin{{align*}}")?;
-    writeln!(out, "  \\Omega &= C\\,{root}{power} \\\\")?;
-    writeln!(out, "  C &= {} = {:.15}", answer.constant_in_latex(), law.frequency_factor())?;
+    writeln!(out, "  \\Omega &= {constant}\\,{root}{power} \\\\")?;
+    writeln!(out, "  {constant} &= {} = {:.15}", answer.constant_in_latex(), law.frequency_factor())?;
     let harmonics = answer.harmonics.iter();
     for HarmonicRatio { k, ratio, .. } in harmonics {
-        writeln!(out, "  \\\\ \\frac{{a_{{{k}}}}}{{A}} &= {ratio:.15}")?;
+        writeln!(out, "  \\\\ \\frac{{a_{{{k}}}}}{{{amplitude}}} &= {ratio:.15}")?;
     }
     writeln!(out, "\\end{{align*}}")
 }
@@ -250,19 +299,11 @@ impl Expand {
         out: &mut dyn Write,
         answer: ScalingLawResult,
     ) -> Result<(), QueryError> {
-        let latex = match self.formats.format() {
-            None => false,
-            Some(Format::Latex) => true,
-            Some(_) => {
-                let reason = "a scaling law is written as text, latex, JSON or CSV";
-                return Err(QueryError::usage(option("format"), reason));
-            }
-        };
         let answer = match &self.evaluate {
             None => answer,
             Some(text) => answer.at(text)?,
         };
-        write(out, self.form.form(), latex, &answer)?;
+        write(out, self.form.form(), self.formats.format(), &answer)?;
         Ok(out.flush()?)
     }
 }

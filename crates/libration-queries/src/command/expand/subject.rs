@@ -43,6 +43,14 @@ impl Subject {
         }
     }
 
+    /// The symbol of a quantity of the result, numbered where the displacement or one of these symbols has its name.
+    pub(super) fn free(&self, name: &str, symbols: &[String]) -> String {
+        let is_taken = |name: &String| *name == self.variable || symbols.contains(name);
+        let numbered = (1..).map(|number| format!("{name}_{number}"));
+        let mut names = std::iter::once(name.to_owned()).chain(numbered).filter(|name| !is_taken(name));
+        names.next().unwrap_or_default()
+    }
+
     /// `a = 1, b = 2`; `None` without parameters.
     pub(super) fn values(&self) -> Option<String> {
         let values: Vec<String> =

@@ -12,5 +12,5 @@ pub(super) fn write_json<C: Coefficient>(out: &mut dyn Write, answer: &ExpandRes
 
 /// One coefficient a line.
 pub(super) fn write_csv<C: Coefficient>(out: &mut dyn Write, answer: &ExpandResult<C>) -> io::Result<()> {
-    fields::of_coefficient().write_csv(out, &fields::coefficients(&answer.expansion))
+    fields::of_coefficient().write_csv(out, &fields::coefficients(answer))
 }

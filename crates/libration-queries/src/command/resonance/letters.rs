@@ -6,7 +6,7 @@ use crate::command::expand::BOOKKEEPING;
 use crate::interrupt::{self, Cancellation};
 use crate::output::description::Answers;
 use crate::output::field::{Field, Fields};
-use crate::output::formulas::{self, NamedFormula};
+use crate::output::formulas::{self, Heading, NamedFormula};
 use crate::output::series::wrapped;
 use crate::output::table::write_text;
 use crate::output::{Form, json};
@@ -74,10 +74,11 @@ impl ResonanceQuestion {
         let answer =
             SymbolicResonanceResult { equations: model.equation().to_string(), small: options.small, flow };
         if let Some(format) = self.formats.format() {
-            let equations = (&answer.equations[..], &model.equation().to_latex()[..]);
+            let latex = &model.equation().to_latex();
+            let heading = Heading { module: "slow_flow", equations: &answer.equations, latex };
             let formulas: Vec<NamedFormula> =
                 answer.formulas().into_iter().map(|formula| formula.named).collect();
-            return formulas::write(out, format, equations, &formulas);
+            return formulas::write(out, format, &heading, &formulas);
         }
         match self.form.form() {
             Form::Json => json::document(out, of_answer().record(&answer))?,

@@ -1,7 +1,7 @@
 //! Formulas as functions of programming languages, one for each.
 
-use super::NamedFormula;
 use super::program::{Function, Program};
+use super::{Heading, NamedFormula};
 use crate::output::language::{FreeNames, Language};
 use crate::query_error::QueryError;
 use libration::algebra::Rational;
@@ -16,13 +16,17 @@ type SymbolNames = BTreeMap<String, String>;
 pub(super) fn write(
     out: &mut dyn Write,
     language: Language,
-    equations: &str,
+    heading: &Heading<'_>,
     formulas: &[NamedFormula],
 ) -> Result<(), QueryError> {
     let mut trees: Vec<Expression> = vec![];
+    let &Heading { module, equations, .. } = heading;
     for NamedFormula { name, text, .. } in formulas {
         trees.push(text.parse().map_err(|error| {
-            QueryError::no_result("slow flow", format!("{name} is too long for one function: {error}"))
+            QueryError::no_result(
+                &module.replace('_', " "),
+                format!("{name} is too long for one function: {error}"),
+            )
         })?);
     }
     let mut free = FreeNames::new(language);
@@ -36,7 +40,7 @@ pub(super) fn write(
         .zip(&trees)
         .map(|((formula, name), tree)| function(language, (&name, &formula.meaning), tree, &names));
     let comment = vec![equations.to_owned()];
-    let program = Program { language, module: "slow_flow", comment, functions: functions.collect() };
+    let program = Program { language, module, comment, functions: functions.collect() };
     Ok(out.write_all(program.to_string().as_bytes())?)
 }
 

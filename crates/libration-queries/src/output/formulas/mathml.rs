@@ -1,7 +1,7 @@
 //! The formulas in MathML, one a line.
 
 use super::NamedFormula;
-use crate::output::mathml::{bracketed, display, element, fraction, name, product};
+use crate::output::mathml::{bracketed, display, element, fraction, name, number, product};
 use libration::expression::{Expression, Function};
 use std::io::{self, Write};
 
@@ -18,7 +18,10 @@ pub(super) fn write(out: &mut dyn Write, equations: &str, formulas: &[NamedFormu
 
 fn written(formula: &Expression) -> String {
     match formula {
-        Expression::Number(number) => fraction(number),
+        Expression::Number(value) => match formula.to_string() {
+            decimal if decimal.contains('.') => number(&decimal),
+            _ => fraction(value),
+        },
         Expression::Pi => name("pi"),
         Expression::Symbol(symbol) => name(&symbol.name),
         Expression::Negate(a) => format!("<mo>−</mo>{}", factor(a)),

@@ -21,26 +21,48 @@ pub(crate) struct NamedFormula {
     pub(crate) text: String,
 }
 
-/// Writes the formulas of equations in a format: the equations as text, and each in LaTeX.
+/// The subject of formulas.
+pub(crate) struct Heading<'a> {
+    /// The name of a module of such functions, such as `slow_flow`.
+    pub(crate) module: &'static str,
+    /// The equations as text.
+    pub(crate) equations: &'a str,
+    /// Each equation in LaTeX.
+    pub(crate) latex: &'a [String],
+}
+
+/// Writes formulas in a format.
 pub(crate) fn write(
     out: &mut dyn Write,
     format: Format,
-    (equations, equations_latex): (&str, &[String]),
+    heading: &Heading<'_>,
     formulas: &[NamedFormula],
 ) -> Result<(), QueryError> {
     if let Some(language) = format.language() {
-        return code::write(out, language, equations, formulas);
+        return code::write(out, language, heading, formulas);
     }
     if format == Format::Mathml {
-        return Ok(mathml::write(out, equations, formulas)?);
+        return Ok(mathml::write(out, heading.equations, formulas)?);
     }
-    for equation in equations_latex {
+    for equation in heading.latex {
         writeln!(out, "\\[ {equation} \\]")?;
     }
     for NamedFormula { left, text, .. } in formulas {
         writeln!(out, "\\[ {left} = {} \\]", latex(text))?;
     }
     Ok(())
+}
+
+/// The sum of terms in plain text, those with a minus subtracted.
+pub(crate) fn sum(terms: &[String]) -> String {
+    let mut text = terms.first().cloned().unwrap_or_else(|| "0".to_owned());
+    for term in terms.iter().skip(1) {
+        text += &match term.strip_prefix('-') {
+            Some(size) => format!(" - {size}"),
+            None => format!(" + {term}"),
+        };
+    }
+    text
 }
 
 /// A formula in LaTeX.

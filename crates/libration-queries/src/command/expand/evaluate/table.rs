@@ -28,10 +28,8 @@ pub(super) fn write(out: &mut dyn Write, numbers: &Numbers<'_>) -> io::Result<()
 }
 
 fn symbol(numbers: &Numbers<'_>) -> String {
-    match &numbers.answer.expansion.variable {
-        variable if variable.is_strength() => Symbols::new(variable).variable.to_owned(),
-        _ => "A".to_owned(),
-    }
+    let answer = &numbers.answer;
+    if answer.expansion.variable.is_strength() { Symbols::new(answer).variable } else { answer.symbol("A") }
 }
 
 fn name(quantity: SeriesQuantity, letter: &str) -> String {

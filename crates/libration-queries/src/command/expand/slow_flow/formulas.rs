@@ -1,18 +1,13 @@
 //! Formulas of a slow flow in plain text: as JSON has them, and for functions and MathML.
 
 use super::SlowFlowResult;
-use crate::output::formulas::NamedFormula;
+use crate::output::formulas::{NamedFormula, sum};
 use libration::perturbation::{PhaseTerm, SlowSeries};
 
 impl SlowFlowResult {
     /// The symbols of amplitude and phase, numbered where the equation has these names.
     pub(super) fn letters(&self) -> [String; 2] {
-        let taken = [&self.flow.parameter, &self.subject.variable];
-        ["A", "psi"].map(|name| {
-            let numbered = (1..).map(|number| format!("{name}_{number}"));
-            let mut free = std::iter::once(name.to_owned()).chain(numbered).filter(|it| !taken.contains(&it));
-            free.next().unwrap_or_default()
-        })
+        ["A", "psi"].map(|name| self.subject.free(name, std::slice::from_ref(&self.flow.parameter)))
     }
 
     /// The rates of amplitude and phase.
@@ -102,15 +97,4 @@ fn times(factor: &str, symbols: &str) -> String {
         _ if factor.contains(" + ") || factor.contains(" - ") => format!("({factor})*{symbols}"),
         _ => format!("{factor}*{symbols}"),
     }
-}
-
-fn sum(terms: &[String]) -> String {
-    let mut text = terms.first().cloned().unwrap_or_else(|| "0".to_owned());
-    for term in terms.iter().skip(1) {
-        text += &match term.strip_prefix('-') {
-            Some(size) => format!(" - {size}"),
-            None => format!(" + {term}"),
-        };
-    }
-    text
 }

@@ -11,7 +11,8 @@ use super::subject::{About, Subject};
 use crate::arguments::Asked;
 use crate::interrupt::Cancellation;
 use crate::output::description::Answers;
-use crate::output::{Form, formulas as written, json};
+use crate::output::formulas::{self as written, Heading};
+use crate::output::{Form, json};
 use crate::parallel;
 use crate::query_error::{QueryError, option};
 use libration::comparison::{LeadingLimitCycles, LeadingLimitCyclesError};
@@ -89,7 +90,8 @@ pub(super) fn write(
     match (format, form) {
         (Some(Format::Latex), _) => listing::write_latex(out, answer)?,
         (Some(format), _) => {
-            written::write(out, format, (&answer.subject.equation, &[]), &answer.formulas())?;
+            let heading = Heading { module: "slow_flow", equations: &answer.subject.equation, latex: &[] };
+            written::write(out, format, &heading, &answer.formulas())?;
         }
         (None, Form::Json) => json::document(out, fields::of_flow().record(answer))?,
         (None, Form::Csv) => fields::of_coefficient().write_csv(out, &fields::coefficients(answer))?,

@@ -5,7 +5,8 @@ use crate::arguments::{OscillatorOptions, drive_resonance, small_orders};
 use crate::command::expand::subject::Subject;
 use crate::command::expand::{BOOKKEEPING, Expand};
 use crate::interrupt::Cancellation;
-use crate::output::{Form, formulas, json};
+use crate::output::formulas::{self, Heading};
+use crate::output::{Form, json};
 use crate::parallel;
 use crate::query_error::{QueryError, option};
 use libration::expression::{Equation, Expression};
@@ -66,8 +67,9 @@ impl Expand {
         let answer = self.symbolic_answer()?;
         if let Some(format) = self.formats.format() {
             let Subject { equation, equation_latex, .. } = &answer.subject;
-            let equations = (&equation[..], &[equation_latex.clone()][..]);
-            return formulas::write(out, format, equations, &super::fields::formulas(&answer));
+            let latex = std::slice::from_ref(equation_latex);
+            let heading = Heading { module: "slow_flow", equations: equation, latex };
+            return formulas::write(out, format, &heading, &super::fields::formulas(&answer));
         }
         match self.form.form() {
             Form::Json => json::document(out, super::fields::of_flow().record(&answer))?,
