@@ -34,6 +34,7 @@ mod prose;
 mod typeset;
 mod document;
 mod check;
+mod renaming;
 mod evaluate;
 mod numbers;
 mod phase;

@@ -128,7 +128,6 @@ fn questions_without_sense_are_refused() {
         ("derive --method perturbation duffing --gauge nome", 1, "nome"),
         ("derive --method perturbation duffing --amplitude 0", 1, "--amplitude"),
         ("derive --method perturbation x''+x+a*x^3=0 --amplitude 0.5", 1, "--amplitude"),
-        ("derive --method perturbation x''+x+epsilon*x^3=0", 1, "rename"),
         ("derive --method perturbation x''+x+x*abs(x)=0 --gauge energy", 1, "x_max"),
         ("derive --method perturbation x''+x+max(x,0)^2=0", 1, "odd forces"),
         ("derive --method perturbation x''+x+x*x'=0", 1, "even powers"),

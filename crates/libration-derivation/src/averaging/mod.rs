@@ -30,7 +30,7 @@ use libration::internals::progress::Watch;
 use libration::perturbation::SlowFlow;
 use libration::progress::{Interrupted, Progress, Stage};
 
-pub(super) use question::AveragingQuestion;
+pub(super) use question::{AveragingQuestion, TAKEN as TAKEN_BY_CYCLES};
 pub use question::{HIGHEST_AMPLITUDE_ORDER, HIGHEST_DAMPING_ORDER};
 pub(super) use tables::in_terms;
 
@@ -62,7 +62,8 @@ pub fn averaging(
 ) -> Result<Derivation, DerivationError> {
     let watch = &Watch::new(progress);
     watch.begin(Stage::Whole, Some(PARTS.len()));
-    let question = AveragingQuestion::new(equation, parameter, [order, parameter_order])?;
+    let (question, renaming) =
+        AveragingQuestion::renamed(equation, parameter, [order, parameter_order], TAKEN)?;
     let flow = Flow::new(&question, watch)?;
     put_back::check(&question, &flow)?;
     let library = match put_back::agrees_with_library(&question, &flow, &watch.part()) {
@@ -71,6 +72,7 @@ pub fn averaging(
     };
     let title = "An oscillator under a weak force, by averaging".to_owned();
     let mut derivation = Derivation { title, introduction: introduction(), steps: vec![], answers: vec![] };
+    derivation.introduction.extend(renaming.told());
     for (done, part) in PARTS.iter().enumerate() {
         match watch.reached(done) {
             Err(interrupted) if done == 0 => return Err(interrupted.into()),
@@ -80,6 +82,9 @@ pub fn averaging(
     }
     Ok(derivation)
 }
+
+/// Symbols of this derivation, with any subscript.
+const TAKEN: &[&str] = &["A", "F", "P", "R", "a", "r", "s", "v", "y", "z", "β", "δ", "π", "τ", "ψ"];
 
 /// A function that returns some steps of a derivation.
 type AveragingPart = fn(&AveragingQuestion, &Flow, &SlowFlow) -> Result<Vec<DerivationStep>, DerivationError>;

@@ -1,7 +1,8 @@
 //! Subject of a derivation: an oscillator under a weak force, in powers of displacement, velocity and the small parameter, with its symbols.
 
 use super::super::check::{DerivationError, FlowTerms, ForceTerm};
-use super::super::formula::{Formula, Name, letter};
+use super::super::formula::{Formula, Name, Subscript, letter};
+use super::super::renaming::Renaming;
 use libration::algebra::{Rational, Rationals};
 use libration::expression::{Equation, Symbol};
 use libration::oscillator::Kind;
@@ -11,6 +12,11 @@ use libration::perturbation::WeakForce;
 pub const HIGHEST_AMPLITUDE_ORDER: usize = 9;
 /// The highest power of the small parameter that is derived step by step.
 pub const HIGHEST_DAMPING_ORDER: usize = 4;
+
+/// Symbols of the derivations by averaging and of limit cycles, with any subscript.
+pub(crate) const TAKEN: &[&str] = &["A", "ψ", "v", "π", "τ"];
+/// Those with a number as subscript: coefficients, polynomials and remainders.
+const NUMBERED: [&str; 6] = ["a", "t", "w", "R", "Ω", "ω"];
 
 /// An oscillator and the weak force on it, prepared.
 #[derive(Debug)]
@@ -34,6 +40,20 @@ pub struct AveragingQuestion {
 }
 
 impl AveragingQuestion {
+    /// The prepared equation with another symbol for a small parameter that has another meaning in the derivation.
+    pub(crate) fn renamed(
+        equation: &Equation,
+        parameter: Option<&str>,
+        orders: [usize; 2],
+        taken: &[&str],
+    ) -> Result<(Self, Renaming), DerivationError> {
+        let small = WeakForce::new(equation, parameter)?.parameter;
+        let variable = equation.variables().first().map_or("", String::as_str);
+        let renaming = Renaming::new([&small].into_iter(), |name| is_taken(name, taken, variable))?;
+        let question = Self::new(&renaming.of(equation)?, Some(&renaming.replaced(&small)), orders)?;
+        Ok((question, renaming))
+    }
+
     /// Prepares an equation, its small parameter and the highest powers of amplitude and parameter.
     pub fn new(
         equation: &Equation,
@@ -84,17 +104,12 @@ impl AveragingQuestion {
             order,
             parameter_order,
         };
-        match question.clashing() {
-            Some(letter) => Err(DerivationError::TakenLetter { letter }),
-            None => Ok(question),
+        match TAKEN.contains(&&*question.variable.letter) {
+            true => {
+                Err(DerivationError::TakenLetter { letter: question.force.oscillator.variable().to_owned() })
+            }
+            false => Ok(question),
         }
-    }
-
-    /// A symbol of the equation that has another meaning in the derivation.
-    fn clashing(&self) -> Option<String> {
-        let letters = [&self.variable, &self.parameter].map(|name| name.letter.clone());
-        let taken = ["A", "ψ", "v", "π", "τ"];
-        letters.into_iter().find(|letter| taken.contains(&letter.as_str()))
     }
 
     /// The given acceleration, as a formula of the variable, its velocity and the small parameter.
@@ -168,6 +183,13 @@ impl AveragingQuestion {
     pub(crate) fn amplitude(&self) -> Formula {
         letter("A")
     }
+}
+
+fn is_taken(name: &str, taken: &[&str], variable: &str) -> bool {
+    let Name { letter, subscript, .. } = Name::from(&Symbol::plain(name));
+    let is_numbered = matches!(subscript, Some(Subscript::Index(_)));
+    let of_displacement = Name::from(&Symbol::plain(variable)).letter;
+    taken.contains(&&*letter) || is_numbered && (NUMBERED.contains(&&*letter) || letter == of_displacement)
 }
 
 /// The terms of x″ + … = 0 except the first.

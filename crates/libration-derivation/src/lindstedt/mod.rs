@@ -17,6 +17,7 @@ mod second_gauge;
 mod small_swings;
 mod solution;
 pub(crate) mod substitution;
+mod taken;
 pub(crate) mod three_harmonics;
 pub(crate) mod truncated;
 
@@ -72,9 +73,11 @@ pub fn perturbation(
             false => Err(DerivationError::Order { order }),
         };
     }
+    let (oscillator, renaming) = taken::renamed(oscillator)?;
     watch.begin(Stage::Whole, Some(PARTS.len()));
     let title = "Perturbation theory of an oscillator, order by order".to_owned();
     let mut derivation = Derivation { title, introduction: introduction(), steps: vec![], answers: vec![] };
+    derivation.introduction.extend(renaming.told());
     let question = match LindstedtQuestion::of(&oscillator, order, gauge, &watch.part()) {
         Err(_) if watch.is_stopped() => return Err(Interrupted.into()),
         question => question?,

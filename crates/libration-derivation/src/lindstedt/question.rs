@@ -107,7 +107,7 @@ impl LindstedtQuestion {
         };
         let highest = u32::try_from(order).unwrap_or(u32::MAX);
         let open = OpenGauge::of_terms(&reduced.terms, highest, powers, watch)?;
-        let question = Self {
+        Ok(Self {
             variable,
             displacement,
             equilibrium: in_symbols(&symbolic, symbolic.equilibrium()),
@@ -119,22 +119,7 @@ impl LindstedtQuestion {
             order,
             open,
             solution,
-        };
-        match question.clashing() {
-            Some(letter) => Err(DerivationError::TakenLetter { letter }),
-            None => Ok(question),
-        }
-    }
-
-    /// A symbol of the equation that has another meaning in the derivation.
-    fn clashing(&self) -> Option<String> {
-        const TAKEN: [&str; 9] = ["t", "τ", "T", "ε", "Δ", "Ω", "F", "π", "u"];
-        let names = self.symbolic.letters().iter().map(|letter| Name::from(&Symbol::plain(letter)));
-        let is_taken = |name: &Name| {
-            let is_factor = self.reduced.symbols.iter().any(|(symbol, _)| Name::from(symbol) == *name);
-            is_factor || TAKEN.contains(&name.letter.as_str()) && name.subscript.is_none()
-        };
-        names.into_iter().find(is_taken).map(|name| name.letter)
+        })
     }
 
     /// The acceleration, as a formula of the variable.

@@ -7,8 +7,8 @@ use libration::internals::InOrder;
 use libration::oscillator::SymbolicOscillator;
 use libration::perturbation::RestoringTerm;
 
-/// The symbol of the factors that are not fractions.
-const FACTOR: &str = "f";
+/// The symbols of the factors that are not fractions: with the displacement, and of powers of the velocity alone.
+const FACTORS: [&str; 2] = ["f", "g"];
 
 /// The force u + Σ factor·uᵖ·(Δu′)^q.
 #[derive(Clone, Debug)]
@@ -98,8 +98,13 @@ impl Reduced {
 
 /// The symbol of a factor: with the exponent of the displacement, and that of the velocity where there is one.
 fn symbol(position: usize, velocity: usize) -> Variable {
-    let index = if velocity == 0 { position } else { 10 * position + velocity };
-    Variable::indexed(FACTOR, u32::try_from(index).unwrap_or(u32::MAX))
+    let [factor, of_velocity] = FACTORS;
+    let (letter, index) = match (position, velocity) {
+        (position, 0) => (factor, position),
+        (0, velocity) => (of_velocity, velocity),
+        (position, velocity) => (factor, 10 * position + velocity),
+    };
+    Variable::indexed(letter, u32::try_from(index).unwrap_or(u32::MAX))
 }
 
 /// A term of the force, with derivatives with respect to Ωt.

@@ -12,9 +12,10 @@ use libration::progress::Quiet;
 use libration::quantity::Displacement;
 use libration_derivation::internals::{DIGITS, Values, evaluate};
 use libration_derivation::{
-    Block, Check, Derivation, DerivationError, Formula, Name, Subscript, perturbation, statement_latex,
-    to_html, to_latex, to_markdown, to_notebook,
+    Block, Check, Derivation, Formula, Name, Subscript, averaging, limit_cycle, perturbation,
+    statement_latex, to_html, to_latex, to_markdown, to_notebook,
 };
+use std::collections::BTreeSet;
 
 /// An equation with the frequency that is derived.
 struct Row {
@@ -260,11 +261,69 @@ fn results_are_checked_for_several_values_of_the_symbols() {
     assert_eq!(checked.count(), 6);
 }
 
+/// The derivation of an equation with symbols.
+fn of_symbols(equation: &str, order: usize) -> Derivation {
+    let oscillator = NumbersOrLetters::new(&equation.parse().unwrap(), None).unwrap();
+    perturbation(oscillator, order, &Gauge::Fundamental, None, &Quiet)
+        .unwrap_or_else(|error| panic!("{equation}: {error}"))
+}
+
+/// The numbered symbols in a LaTeX document, such as `a3` and `epsilon2`.
+fn numbered_symbols(latex: &str) -> BTreeSet<String> {
+    let number = |after: &str| {
+        after.split('}').next().filter(|text| text.chars().all(|c| c.is_ascii_digit())).map(str::to_owned)
+    };
+    let letter = |before: &str| {
+        let from = before.rfind(|c: char| !c.is_ascii_alphabetic()).map_or(0, |at| at + 1);
+        before[from..].trim_start_matches("var").to_owned()
+    };
+    let parts: Vec<&str> = latex.split("_{").collect();
+    let pairs = parts.windows(2).filter_map(|pair| Some((letter(pair[0].trim_end()), number(pair[1])?)));
+    pairs
+        .filter(|(letter, number)| !letter.is_empty() && !number.is_empty())
+        .map(|(letter, number)| letter + &number)
+        .collect()
+}
+
+/// The small parameter of a weak force is replaced too; a displacement is not.
 #[test]
-fn symbols_with_another_meaning_are_refused() {
-    for equation in ["x'' + x + epsilon*x^3 = 0", "x'' + x + T*x^3 = 0", "x'' + x + f3*x^3 = 0"] {
-        let oscillator = NumbersOrLetters::new(&equation.parse().unwrap(), None).unwrap();
-        let refused = perturbation(oscillator, 3, &Gauge::Fundamental, None, &Quiet);
-        assert!(matches!(refused, Err(DerivationError::TakenLetter { .. })), "{equation}");
+fn small_parameters_with_another_meaning_are_replaced() {
+    for name in ["A", "A0", "psi1", "tau", "v", "a1", "x2", "Omega1"] {
+        let equation = |force: &str| format!("x'' + x + {name}*{force} = 0").parse().unwrap();
+        let damped = averaging(&equation("x'"), Some(name), 3, 1, &Quiet).unwrap();
+        let cycle = limit_cycle(&equation("(x^2 - 1)*x'"), Some(name), 2, &Quiet).unwrap();
+        let of_damping = averaging(&"x'' + x + beta*x' = 0".parse().unwrap(), None, 3, 1, &Quiet).unwrap();
+        for derivation in [damped, cycle, of_damping] {
+            let latex = to_latex(&derivation);
+            assert!(latex.contains("of the given equation is written $\\alpha"), "{name}: {latex}");
+        }
     }
+    let plain = to_latex(&averaging(&"x'' + x + c*x' = 0".parse().unwrap(), None, 3, 1, &Quiet).unwrap());
+    assert!(!plain.contains("of the given equation"), "{plain}");
+    let of_displacement = averaging(&"A'' + A + c*A' = 0".parse().unwrap(), None, 3, 1, &Quiet);
+    assert_eq!(
+        of_displacement.unwrap_err().to_string(),
+        "the symbol A has another meaning in the derivation: rename it"
+    );
+}
+
+/// Each symbol of a derivation is replaced where an equation has it, and the reader is told. Factors of powers of the velocity have symbols of their own.
+#[test]
+fn symbols_with_another_meaning_are_replaced() {
+    let whole = to_latex(&of_symbols("x'' + w*x + q*x^2 + r*x^3 + s*x'^2 = 0", 4));
+    let mut taken = numbered_symbols(&whole);
+    let some = ["a3", "A1", "f2", "g2", "omega0", "epsilon2", "T0", "B2"];
+    assert!(some.iter().all(|name| taken.contains(*name)), "{taken:?}");
+    taken.retain(|name| name != "int0");
+    taken.extend(["T", "tau", "epsilon", "Delta", "Omega", "F", "x1"].map(str::to_owned));
+    for name in taken {
+        let derivation = of_symbols(&format!("x'' + x + {name}*x^3 = 0"), 2);
+        let told = to_latex(&derivation);
+        assert!(told.contains("of the given equation is written"), "{name}");
+        assert!(told.contains(r"-x-\alpha"), "{name}: {told}");
+    }
+    let plain = to_latex(&of_symbols("x'' + omega0^2*x + alpha*x^3 = 0", 2));
+    assert!(!plain.contains("of the given equation"), "{plain}");
+    let two = to_latex(&of_symbols("x'' + w0^2*x + a2*x^2 + a3*x^3 = 0", 3));
+    assert!(two.contains(r"x''=-w_{0}^{2}x-\alpha _{2}x^{2}-\alpha _{3}x^{3}"), "{two}");
 }
