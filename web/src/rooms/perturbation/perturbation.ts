@@ -27,7 +27,7 @@ import type { Backbone, Evaluation, Oscillators } from "./answers.ts";
 import { equationOf, typeset } from "./equation.ts";
 import { ANGLES, fields, PLAIN } from "./fields.ts";
 import { gaugeOf } from "./gauge.ts";
-import { backbone, evaluation, grouped } from "./results.ts";
+import { areSeries, backbone, evaluation, grouped } from "./results.ts";
 
 const words = text.perturbation;
 /** Highest order that is computed without stages, and the highest order. */
@@ -229,7 +229,8 @@ class PerturbationRoom {
       const asked = this.#expansion(order);
       const notes: string[] = [];
       let answer = await ask(this.#engine, extended(asked, { format: "mathml" }), { signal, onNote: (line) => notes.push(line) });
-      const isPlain = answer.status !== 0 && answer.error.parameters.includes("--format");
+      const [equation = "", ...lines] = fromHtml(decoded(answer));
+      const isPlain = answer.status === 0 && !areSeries(lines);
       if (isPlain && !signal.aborted) answer = await ask(this.#engine, asked, { signal });
       // A cancelled series is valid up to its last order.
       if (signal.aborted && (!isWanted(signal) || answer.output.length === 0)) return false;
@@ -239,10 +240,8 @@ class PerturbationRoom {
       }
       this.#offerSaving(true);
       this.#latex = "";
-      const written = decoded(answer);
       const latex = decoded(await ask(this.#engine, extended(isPlain ? asked : this.#expansion("3"), { latex: true }), { signal }));
-      const [equation = "", ...lines] = isPlain ? [] : fromHtml(written);
-      const shown = isPlain ? flow(written, latex) : grouped(lines);
+      const shown = isPlain ? flow(decoded(answer), latex) : grouped(lines);
       this.#equation.replaceChildren(equationOf(latex) ?? equation);
       this.#series.show(...notes.map((note) => element("p", { class: "quiet" }, this.#said(note))), element("div", { class: "series scroll", tabindex: "0", role: "region", "aria-label": words.series }, ...shown));
       if (signal.aborted) return false;

@@ -51,10 +51,16 @@ function shortened(coefficient: string): string {
   return coefficient.length <= 40 ? coefficient : `${coefficient.slice(0, 38)}…`;
 }
 
+const isFrequency = (line: Node): boolean => line.textContent?.startsWith("Ωω0=") === true;
+
+/** Whether the lines are those of series, and not of a slow flow or of a scaling law. */
+export function areSeries(lines: readonly Node[]): boolean {
+  return lines.some(isFrequency);
+}
+
 /** The lines of an expansion, with a title for each variable: each of its groups begins with the frequency. */
 export function grouped(lines: readonly Node[]): Node[] {
   const titles = [...words.groups];
-  const isFrequency = (line: Node) => line.textContent?.startsWith("Ωω0=") === true;
   const isGrouped = lines.filter(isFrequency).length > 1;
   return lines.flatMap((line) => (isGrouped && isFrequency(line) ? [element("h3", {}, titles.shift() ?? ""), line] : [line]));
 }

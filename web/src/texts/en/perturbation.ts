@@ -25,7 +25,7 @@ export const perturbation = {
   expansion: "Expansion",
   trial: "Evaluation",
   series: "The exact series",
-  groups: ["In the parameter ε of the gauge", "In the largest displacement A", "In half the swing h"],
+  groups: ["By powers of the expansion parameter", "By powers of the largest displacement", "By powers of half the swing"],
   orders: (order: number, last: number) => `Order ${order} of ${last}`,
   none: "Enter an equation of motion to see its series.",
   copyLatex: "Copy as LaTeX",
