@@ -104,6 +104,17 @@ test("a slow flow is mathematics, with the command's words as text", () =>
     assert.equal(await room.locator(".series pre").textContent(), command("expand", "damped_pendulum", "--set", "n=2", "--order", "3").output);
   }));
 
+test("a driven oscillator asks for its resonance, and shows the slow flow with it", () =>
+  visit("perturbation?oscillator=x''%2B2*eps*m*x'%2Bw^2*x%2Beps*a*x^3%3Deps*F*cos(W*t)", async (room) => {
+    assert.match((await errors(room))[0], /^the acceleration depends on t: name the resonance of the drive/);
+    await enter(room, "Resonance of a drive", "1/1");
+    assert.deepEqual(await errors(room), []);
+    assert.match(await shown(room), /^A˙=/);
+    const words = ["expand", "x''+2*eps*m*x'+w^2*x+eps*a*x^3=eps*F*cos(W*t)", "--resonance", "1/1"];
+    assert.equal(await room.locator(".series pre").textContent(), command(...words).output);
+    assert.equal(await room.locator("table:visible").count(), 0);
+  }));
+
 test("another oscillator is chosen by the keyboard alone, and a link shows it again", () =>
   visit("perturbation", async (room) => {
     await room.getByLabel("Oscillator", { exact: true }).focus();

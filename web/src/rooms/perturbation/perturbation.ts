@@ -25,7 +25,7 @@ import type { Room } from "../../room.ts";
 import { text } from "../../texts/en.ts";
 import type { Backbone, Evaluation, Oscillators } from "./answers.ts";
 import { equationOf, typeset } from "./equation.ts";
-import { ANGLES, fields, PLAIN } from "./fields.ts";
+import { ANGLES, fields, ORDER, PLAIN } from "./fields.ts";
 import { gaugeOf } from "./gauge.ts";
 import { areSeries, backbone, evaluation, grouped } from "./results.ts";
 
@@ -92,7 +92,7 @@ class PerturbationRoom {
     this.#entry?.element.toggleAttribute("hidden", !this.#form.value("oscillator").includes("="));
     const controls = [
       question,
-      this.#form.part(words.expansion, ["order", "gauge", "letters", "about", "damping-order", "small"]),
+      this.#form.part(words.expansion, ["order", "gauge", "letters", "about", "damping-order", "small", "resonance"]),
       this.#form.part(words.trial, ["evaluate", "quantity", "amplitudes", "unit"]),
     ];
     const findings = [this.#series, this.#limits, this.#backbone].map((finding) => finding.element);
@@ -124,7 +124,7 @@ class PerturbationRoom {
   // An equation of the reader's own begins as that of the oscillator before, with its parameters.
   #choose(key: string): void {
     const before = this.#builtIns.find((it) => it.key === this.#form.value("oscillator"));
-    const others = { letters: "", about: "", gauge: "", "damping-order": "", small: "" };
+    const others = { letters: "", about: "", gauge: "", "damping-order": "", small: "", resonance: "" };
     if (key !== "") this.#put({ oscillator: key, set: "", ...others, ...(this.#angles.has(key) ? ANGLES : PLAIN) });
     else if (before !== undefined) {
       this.#brought = before.parameters.map((it) => `${it.name}=${it.default}`).join(",");
@@ -177,6 +177,7 @@ class PerturbationRoom {
     if (this.#form.value("oscillator") === "") return this.#nothing(words.none);
     this.#equivalents.show([this.#expansion(), this.#evaluation(), this.#seriesPicture.command(this.#figure()), this.#backboneCommand()]);
     if (!(await this.#expand(signal)) || signal.aborted) return;
+    if (this.#form.value("resonance") !== "") return this.#compareNothing();
     await this.#evaluate(signal);
     if (!signal.aborted) await this.#compare(signal);
   }
@@ -187,6 +188,10 @@ class PerturbationRoom {
     this.#series.fail(this.#said(why));
     this.#equation.replaceChildren();
     this.#offerSaving(false);
+    this.#compareNothing();
+  }
+
+  #compareNothing(): void {
     this.#limits.show();
     this.#seriesPicture.clear();
     this.#backbone.show();
@@ -201,8 +206,10 @@ class PerturbationRoom {
 
   #expansion(order = this.#form.value("order")): Command {
     const value = (key: string) => this.#form.value(key);
-    const flow = { "damping-order": value("damping-order"), small: value("small") };
-    return extended({ ...this.#about(), question: "expand" }, { letters: value("letters"), order, gauge: gaugeOf(value("gauge")), ...flow });
+    const flow = { "damping-order": value("damping-order"), small: value("small"), resonance: value("resonance") };
+    // The default order of series is too high for drives, and would take a page.
+    const given = flow.resonance !== "" && order === ORDER ? "" : order;
+    return extended({ ...this.#about(), question: "expand" }, { letters: value("letters"), order: given, gauge: gaugeOf(value("gauge")), ...flow });
   }
 
   #evaluation(): Command {
