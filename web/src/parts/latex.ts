@@ -24,7 +24,7 @@ export function fromLatex(source: string, display = true): Element {
 }
 
 function tokens(source: string): string[] {
-  return source.match(/\\[a-zA-Z]+|\\.|\d+(?:\.\d+)?|\S/g) ?? [];
+  return source.match(/\\text\{[^{}]* [^{}]*\}|\\[a-zA-Z]+|\\.|\d+(?:\.\d+)?|\S/g) ?? [];
 }
 
 function node(name: string, ...children: (Element | string)[]): Element {
@@ -81,6 +81,7 @@ class Reader {
     const token = this.#tokens[this.#at] ?? "";
     this.#at += 1;
     if (token === "{") return node("mrow", ...this.row("}"));
+    if (token.startsWith("\\text{")) return node("mtext", token.slice(6, -1).replaceAll(" ", "\u00a0"));
     if (token.startsWith("\\")) return this.#command(token.slice(1));
     if (/^\d/.test(token)) return node("mn", token);
     if (/^[a-zA-Z]$/.test(token)) return node("mi", token);
