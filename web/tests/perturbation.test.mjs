@@ -109,6 +109,7 @@ test("a driven oscillator asks for its resonance, and shows the slow flow with i
     assert.match((await errors(room))[0], /^the acceleration depends on t: name the resonance of the drive/);
     await enter(room, "Resonance of a drive", "1/1");
     assert.deepEqual(await errors(room), []);
+    assert.equal(await room.getByLabel("Order", { exact: true }).inputValue(), "");
     assert.match(await shown(room), /^A˙=.*peak\u00a0amplitude=F2mw/);
     const words = ["expand", "x''+2*eps*m*x'+w^2*x+eps*a*x^3=eps*F*cos(W*t)", "--resonance", "1/1"];
     assert.equal(await room.locator(".series pre").textContent(), command(...words).output);

@@ -158,8 +158,9 @@ class PerturbationRoom {
     this.#latest.run((signal) => this.#status.during(this.#answer(signal)));
   }
 
-  // An equation without an angle is not evaluated at default angles.
+  // An equation without an angle is not evaluated at default angles, and the default order of series is too high for drives.
   #fit(): void {
+    if (this.#form.value("resonance") !== "" && this.#form.value("order") === ORDER) this.#put({ order: "" });
     const isUntouched = Object.entries(ANGLES).every(([field, value]) => this.#form.value(field) === value);
     if (this.#form.value("oscillator").includes("=") && !this.#isOfAngle() && isUntouched) this.#put(PLAIN);
     this.#form.plain(this.#isOfAngle() ? [] : Object.keys(ANGLES));
@@ -207,9 +208,7 @@ class PerturbationRoom {
   #expansion(order = this.#form.value("order")): Command {
     const value = (key: string) => this.#form.value(key);
     const flow = { "damping-order": value("damping-order"), small: value("small"), resonance: value("resonance") };
-    // The default order of series is too high for drives, and would take a page.
-    const given = flow.resonance !== "" && order === ORDER ? "" : order;
-    return extended({ ...this.#about(), question: "expand" }, { letters: value("letters"), order: given, gauge: gaugeOf(value("gauge")), ...flow });
+    return extended({ ...this.#about(), question: "expand" }, { letters: value("letters"), order, gauge: gaugeOf(value("gauge")), ...flow });
   }
 
   #evaluation(): Command {
