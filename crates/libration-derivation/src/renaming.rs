@@ -15,16 +15,18 @@ const FREE: [&str; 10] = ["alpha", "beta", "gamma", "kappa", "mu", "nu", "rho", 
 pub(crate) struct Renaming(Vec<(String, String)>);
 
 impl Renaming {
-    /// Free symbols with the same numbers for those that are taken.
+    /// Free symbols with the same numbers, other than the variable, for those that are taken.
     pub(crate) fn new<'a>(
         symbols: impl Iterator<Item = &'a String> + Clone,
+        variable: &str,
         is_taken: impl Fn(&str) -> bool,
     ) -> Result<Self, DerivationError> {
         let mut renaming = Self::default();
         for given in symbols.clone().filter(|name| is_taken(name)) {
             let number = given.trim_start_matches(|c: char| !c.is_ascii_digit());
             let is_free = |name: &String| {
-                !is_taken(name)
+                name != variable
+                    && !is_taken(name)
                     && symbols.clone().all(|other| other != name)
                     && renaming.0.iter().all(|(_, written)| written != name)
             };

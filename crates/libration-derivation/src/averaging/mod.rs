@@ -30,7 +30,7 @@ use libration::internals::progress::Watch;
 use libration::perturbation::SlowFlow;
 use libration::progress::{Interrupted, Progress, Stage};
 
-pub(super) use question::{AveragingQuestion, TAKEN as TAKEN_BY_CYCLES};
+pub(super) use question::AveragingQuestion;
 pub use question::{HIGHEST_AMPLITUDE_ORDER, HIGHEST_DAMPING_ORDER};
 pub(super) use tables::in_terms;
 
@@ -63,7 +63,7 @@ pub fn averaging(
     let watch = &Watch::new(progress);
     watch.begin(Stage::Whole, Some(PARTS.len()));
     let (question, renaming) =
-        AveragingQuestion::renamed(equation, parameter, [order, parameter_order], TAKEN)?;
+        AveragingQuestion::renamed(equation, parameter, [order, parameter_order], &FURTHER)?;
     let flow = Flow::new(&question, watch)?;
     put_back::check(&question, &flow)?;
     let library = match put_back::agrees_with_library(&question, &flow, &watch.part()) {
@@ -83,8 +83,8 @@ pub fn averaging(
     Ok(derivation)
 }
 
-/// Symbols of this derivation, with any subscript.
-const TAKEN: &[&str] = &["A", "F", "P", "R", "a", "r", "s", "v", "y", "z", "β", "δ", "π", "τ", "ψ"];
+/// Symbols of this derivation alone, with any subscript.
+const FURTHER: [&str; 10] = ["F", "P", "R", "a", "r", "s", "y", "z", "β", "δ"];
 
 /// A function that returns some steps of a derivation.
 type AveragingPart = fn(&AveragingQuestion, &Flow, &SlowFlow) -> Result<Vec<DerivationStep>, DerivationError>;

@@ -14,8 +14,8 @@ pub const HIGHEST_AMPLITUDE_ORDER: usize = 9;
 pub const HIGHEST_DAMPING_ORDER: usize = 4;
 
 /// Symbols of the derivations by averaging and of limit cycles, with any subscript.
-pub(crate) const TAKEN: &[&str] = &["A", "ψ", "v", "π", "τ"];
-/// Those with a number as subscript: coefficients, polynomials and remainders.
+const TAKEN: [&str; 5] = ["A", "ψ", "v", "π", "τ"];
+/// Symbols of them with a number as subscript: coefficients, polynomials and remainders.
 const NUMBERED: [&str; 6] = ["a", "t", "w", "R", "Ω", "ω"];
 
 /// An oscillator and the weak force on it, prepared.
@@ -40,16 +40,17 @@ pub struct AveragingQuestion {
 }
 
 impl AveragingQuestion {
-    /// The prepared equation with another symbol for a small parameter that has another meaning in the derivation.
+    /// The prepared equation with another symbol for a small parameter that has another meaning in the derivation, which may have further symbols.
     pub(crate) fn renamed(
         equation: &Equation,
         parameter: Option<&str>,
         orders: [usize; 2],
-        taken: &[&str],
+        further: &[&str],
     ) -> Result<(Self, Renaming), DerivationError> {
         let small = WeakForce::new(equation, parameter)?.parameter;
         let variable = equation.variables().first().map_or("", String::as_str);
-        let renaming = Renaming::new([&small].into_iter(), |name| is_taken(name, taken, variable))?;
+        let renaming =
+            Renaming::new([&small].into_iter(), variable, |name| is_taken(name, further, variable))?;
         let question = Self::new(&renaming.of(equation)?, Some(&renaming.replaced(&small)), orders)?;
         Ok((question, renaming))
     }
@@ -185,11 +186,12 @@ impl AveragingQuestion {
     }
 }
 
-fn is_taken(name: &str, taken: &[&str], variable: &str) -> bool {
+fn is_taken(name: &str, further: &[&str], variable: &str) -> bool {
     let Name { letter, subscript, .. } = Name::from(&Symbol::plain(name));
     let is_numbered = matches!(subscript, Some(Subscript::Index(_)));
     let of_displacement = Name::from(&Symbol::plain(variable)).letter;
-    taken.contains(&&*letter) || is_numbered && (NUMBERED.contains(&&*letter) || letter == of_displacement)
+    TAKEN.iter().chain(further).any(|taken| *taken == letter)
+        || is_numbered && (NUMBERED.contains(&&*letter) || letter == of_displacement)
 }
 
 /// The terms of x″ + … = 0 except the first.

@@ -5,7 +5,7 @@ mod library_cycle;
 mod open;
 mod steps;
 
-use super::averaging::{AveragingQuestion, TAKEN_BY_CYCLES};
+use super::averaging::AveragingQuestion;
 use super::check::DerivationError;
 use super::document::{Block, Derivation};
 use super::prose::Prose;
@@ -47,8 +47,7 @@ pub fn limit_cycle(
     if !(1..=HIGHEST_CYCLE_ORDER).contains(&order) {
         return Err(DerivationError::CycleOrder { order });
     }
-    let (question, renaming) =
-        AveragingQuestion::renamed(equation, parameter, [HIGHEST_DEGREE, 1], TAKEN_BY_CYCLES)?;
+    let (question, renaming) = AveragingQuestion::renamed(equation, parameter, [HIGHEST_DEGREE, 1], &[])?;
     let is_linear = question.restoring_terms().next().is_none() && question.is_whole;
     if !is_linear || question.flow.kinked || question.flow.lift > 0 {
         return Err(DerivationError::NoPolynomial);

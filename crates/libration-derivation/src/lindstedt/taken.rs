@@ -17,7 +17,8 @@ pub(super) fn renamed(oscillator: NumbersOrLetters) -> Result<(NumbersOrLetters,
     let NumbersOrLetters::Letters(symbolic) = &oscillator else {
         return Ok((oscillator, Renaming::default()));
     };
-    let renaming = Renaming::new(symbolic.letters().iter(), |name| is_taken(name, symbolic))?;
+    let letters = symbolic.letters().iter();
+    let renaming = Renaming::new(letters, symbolic.variable(), |name| is_taken(name, symbolic))?;
     if renaming.is_empty() {
         return Ok((oscillator, renaming));
     }

@@ -86,7 +86,7 @@ impl ScalingLawResult {
         let waves: Vec<String> = waves.collect();
         let frequency = format!("{:?}{times}*{}", law.frequency_factor(), power(exponent.clone()));
         let period = format!("{:?}{over}*{}", law.period_factor(), power(-exponent));
-        [
+        NamedFormula::without_latex([
             ("angular_frequency", "the angular frequency at an amplitude", frequency),
             ("period", "the period", period),
             (
@@ -94,14 +94,7 @@ impl ScalingLawResult {
                 "the displacement at an amplitude and a phase",
                 format!("{amplitude}*({})", formulas::sum(&waves)),
             ),
-        ]
-        .map(|(name, meaning, text)| NamedFormula {
-            name: name.to_owned(),
-            meaning: meaning.to_owned(),
-            left: String::new(),
-            text,
-        })
-        .into()
+        ])
     }
 
     /// C as a formula.

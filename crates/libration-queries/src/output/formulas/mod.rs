@@ -21,6 +21,19 @@ pub(crate) struct NamedFormula {
     pub(crate) text: String,
 }
 
+impl NamedFormula {
+    /// Formulas for functions and MathML, each with its name, its quantity and its text; in LaTeX their result is written otherwise.
+    pub(crate) fn without_latex<const N: usize>(formulas: [(&str, &str, String); N]) -> Vec<Self> {
+        let formula = |(name, meaning, text): (&str, &str, String)| Self {
+            name: name.to_owned(),
+            meaning: meaning.to_owned(),
+            left: String::new(),
+            text,
+        };
+        formulas.map(formula).into()
+    }
+}
+
 /// The subject of formulas.
 pub(crate) struct Heading<'a> {
     /// The name of a module of such functions, such as `slow_flow`.

@@ -60,18 +60,11 @@ impl SlowFlowResult {
         } else {
             "displacement"
         };
-        [
+        NamedFormula::without_latex([
             ("amplitude", "rate of the amplitude", amplitude),
             ("phase", "rate of the phase", phase),
             ("displacement", of_displacement, self.displacement()),
-        ]
-        .map(|(name, meaning, text)| NamedFormula {
-            name: name.to_owned(),
-            meaning: meaning.to_owned(),
-            left: String::new(),
-            text,
-        })
-        .into()
+        ])
     }
 }
 
