@@ -299,8 +299,8 @@ fn small_parameters_with_another_meaning_are_replaced() {
         }
     }
     // Neither the displacement nor another symbol of the derivation takes its place.
-    let angle = averaging(&"alpha'' + alpha + beta*alpha' = 0".parse().unwrap(), None, 3, 1, &Quiet);
-    assert!(to_latex(&angle.unwrap()).contains(r"$\beta$ of the given equation is written $\gamma"));
+    let angle = averaging(&"alpha'' + alpha + delta*alpha' = 0".parse().unwrap(), None, 3, 1, &Quiet);
+    assert!(to_latex(&angle.unwrap()).contains(r"$\delta$ of the given equation is written $\gamma"));
     let cubic = to_latex(&of_symbols("alpha'' + alpha + T*alpha^3 = 0", 2));
     assert!(cubic.contains(r"-\alpha -\beta \alpha ^{3}"), "{cubic}");
     let plain = to_latex(&averaging(&"x'' + x + c*x' = 0".parse().unwrap(), None, 3, 1, &Quiet).unwrap());
